@@ -1,0 +1,67 @@
+#include "aktina/base/parallel.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace aktina {
+namespace {
+
+std::mutex arena_mutex;
+std::shared_ptr<tbb::task_arena> arena;
+std::atomic<int> threads{0};
+
+std::shared_ptr<tbb::task_arena> current_arena() {
+  const std::lock_guard lock(arena_mutex);
+  if (!arena) arena = std::make_shared<tbb::task_arena>(thread_count());
+  return arena;
+}
+
+}  // namespace
+
+void set_thread_count(int count) {
+  const std::lock_guard lock(arena_mutex);
+  threads = count < 0 ? 0 : count;
+  arena.reset();
+}
+
+int thread_count() { return threads > 0 ? threads.load() : tbb::info::default_concurrency(); }
+
+void parallel_for(size_t n, size_t grain, FunctionRef<void(size_t, size_t)> body) {
+  if (n == 0) return;
+  if (grain == 0) grain = 1;
+  if (thread_count() == 1 || n <= grain) {
+    const FlushDenormals flush;
+    body(0, n);
+    return;
+  }
+  current_arena()->execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, n, grain),
+        [&](const tbb::blocked_range<size_t>& range) {
+          const FlushDenormals flush;
+          body(range.begin(), range.end());
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+#if defined(__SSE__)
+constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | kFlushToZero | kDenormalsAreZero); }
+FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+#else
+FlushDenormals::FlushDenormals() : saved_(0) {}
+FlushDenormals::~FlushDenormals() = default;
+#endif
+
+}  // namespace aktina

@@ -1,0 +1,67 @@
+// Light sources as plain structs: what arrives at a point, from where.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "aktina/base/method.h"
+#include "aktina/base/quantity.h"
+#include "aktina/base/vec.h"
+#include "aktina/illumination/light/attenuation.h"
+
+namespace aktina {
+
+struct LightSample {
+  Vec3 wi;            // unit, from the shaded point towards the light
+  float distance;     // m; the shadow ray ends here; kInfinity for a light at infinity
+  Irradiance e_perp;  // on a plane facing wi: I/d^2 for a point, L/pdf for an area (pdf in sr^-1)
+};
+
+/// A point that shines equally in all directions. Flux 4 pi I.
+struct PointLight {
+  Point3 position{0};
+  Intensity intensity{Rgb(1)};
+  Attenuation attenuation;
+};
+
+/// A point light that shines within a cone about `direction`, as KHR_lights_punctual (smooth cone) or
+/// as the classic hard cone with exponent.
+struct SpotLight {
+  Point3 position{0};
+  Vec3 direction{0, 0, -1};  // unit, out of the lamp
+  Intensity intensity{Rgb(1)};
+  float inner_angle = 0, outer_angle = 0.785398f;  // rad, from the axis; smooth between them
+  float exponent = 0;                              // cos^exponent inside the cone; 0: none
+  Attenuation attenuation;
+};
+
+/// Parallel light from far away.
+struct DirectionalLight {
+  Vec3 direction{0, 0, -1};       // unit, the way the light travels
+  Irradiance e_perp{Rgb(1)};      // lx on a plane facing the light
+};
+
+using Light = std::variant<PointLight, SpotLight, DirectionalLight>;  // add a light: add it here and in table.cpp
+
+LightSample sample(const PointLight& light, Point3 x);
+LightSample sample(const SpotLight& light, Point3 x);
+LightSample sample(const DirectionalLight& light, Point3 x);
+inline LightSample sample(const Light& light, Point3 x) {
+  return std::visit([&](const auto& l) { return sample(l, x); }, light);
+}
+
+/// Total luminous flux, lm; none for a light at infinity.
+std::optional<Flux> flux(const PointLight& light);
+std::optional<Flux> flux(const SpotLight& light);
+std::optional<Flux> flux(const DirectionalLight& light);
+inline std::optional<Flux> flux(const Light& light) {
+  return std::visit([](const auto& l) { return flux(l); }, light);
+}
+
+/// Factor in [0, 1] of a spot at angle acos(c) off its axis.
+float spot_falloff(const SpotLight& light, float c);
+
+std::span<const Method<Light>* const> lights();
+
+}  // namespace aktina

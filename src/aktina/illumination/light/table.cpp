@@ -1,0 +1,13 @@
+// The lights: the only list.
+#include "aktina/illumination/light/light.h"
+
+namespace aktina {
+
+extern const Method<Light> point_light, spot_light, directional_light;
+
+std::span<const Method<Light>* const> lights() {
+  static constexpr const Method<Light>* kTable[] = {&point_light, &spot_light, &directional_light};
+  return kTable;
+}
+
+}  // namespace aktina

@@ -1,0 +1,1 @@
+// Keeps the room's target while it has no other file.

@@ -1,0 +1,30 @@
+// Files -> Scene. No file may crash, hang, or exhaust the machine: docs/input.md lists what is repaired and refused.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "aktina/base/file.h"
+#include "aktina/base/progress.h"
+#include "aktina/scene/scene.h"
+
+namespace aktina {
+
+struct ImportOptions {
+  double metres_per_unit = 0;  // 0: what the format says (glTF: 1), or guessed for formats without a unit (1)
+  float crease = 0.5236f;      // rad; edges sharper than this stay sharp where a non-glTF file has no normals
+  uint64_t most_bytes = uint64_t(8) << 30;  // of memory for the scene; more is refused
+  bool default_camera = true, default_light = true;
+};
+
+/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, and what else Assimp reads (FBX, DAE, 3DS, OFF).
+/// @throws Error bad_input, io, limit, unsupported
+Scene load_scene(const Path& path, const ImportOptions& options = {});
+
+/// One reader each, for tests and fuzzers; `folder` resolves relative references (never outside of it).
+Scene read_gltf(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+                const ImportOptions& options = {});
+Scene read_assimp(std::span<const uint8_t> bytes, const std::string& extension, const Path& folder,
+                  const std::string& where, const ImportOptions& options = {});
+
+}  // namespace aktina

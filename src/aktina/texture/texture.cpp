@@ -1,0 +1,1 @@
+#include "aktina/texture/texture.h"
