@@ -50,6 +50,31 @@ TEST(File, FailedWriteLeavesTheOldFile) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
+TEST(File, AWriteThatIsCutOffLeavesNothing) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(write_through(folder / "picture",
+                             [&](const Path& temporary) {
+                               write_file(folder / "other", std::string_view("whole"));
+                               std::ofstream(temporary) << "half";
+                               remove_partial_files();
+                               EXPECT_FALSE(std::filesystem::exists(temporary));
+                             }),
+               Error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "only the whole file";
+}
+
+TEST(File, LinksAndDevicesStayWhatTheyAre) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "target", std::string_view("old"));
+  std::filesystem::create_symlink("target", folder / "link");
+  write_file(folder / "link", std::string_view("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_text_file(folder / "target"), "new");
+  write_file("/dev/null", std::string_view("x"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_EQ(code_of([] { write_file("/dev/full", std::string_view("x")); }), Code::io);
+}
+
 TEST(File, UnwritableFolderIsKnownBeforehand) {
   EXPECT_EQ(code_of([] { check_writable("/proc/aktina.png"); }), Code::io);
   EXPECT_EQ(code_of([] { check_writable("/absent/folder/x.png"); }), Code::io);

@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 
 #include "aktina/base/error.h"
@@ -37,12 +39,55 @@ class Descriptor {
   throw Error(Code::io, display(path), fmt::format("{}: {}", what, std::strerror(errno)), std::string(hint));
 }
 
-Path temporary_beside(const Path& path) {
-  static std::atomic<unsigned> counter{0};
-  Path temporary = path;
-  temporary += fmt::format(".partial-{}-{}", ::getpid(), counter++);
-  return temporary;
+/// Pipes and devices: they cannot be replaced.
+bool written_in_place(const Path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::is_other(status);
 }
+
+Path link_target(const Path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path) : path;
+}
+
+/// Names of the temporary files of writes under way, where a signal handler can read them. A slot is free, being
+/// filled, or holds a name.
+constexpr int kFree = 0, kFilling = 1, kHeld = 2;
+struct PartialName {
+  std::atomic<int> state{kFree};
+  char path[PATH_MAX];
+};
+std::array<PartialName, 8> partial_names;
+
+/// A path beside `path`, removed again unless it was renamed; known to remove_partial_files() while it lives.
+class Temporary {
+ public:
+  explicit Temporary(const Path& path) : path_(path) {
+    static std::atomic<unsigned> counter{0};
+    path_ += fmt::format(".partial-{}-{}", ::getpid(), counter++);
+    if (path_.native().size() >= PATH_MAX) return;
+    for (PartialName& name : partial_names) {
+      int free = kFree;
+      if (!name.state.compare_exchange_strong(free, kFilling)) continue;
+      std::strcpy(name.path, path_.c_str());
+      name.state = kHeld;
+      name_ = &name;
+      return;
+    }
+  }
+  ~Temporary() {
+    ::unlink(path_.c_str());
+    if (name_) name_->state = kFree;
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  const Path& path() const { return path_; }
+
+ private:
+  Path path_;
+  PartialName* name_ = nullptr;
+};
 
 /// Size of a regular file; other things (pipes, devices) are refused: their length is not known beforehand.
 uint64_t checked_size(const Path& path, int fd, uint64_t limit) {
@@ -52,7 +97,8 @@ uint64_t checked_size(const Path& path, int fd, uint64_t limit) {
   if (!S_ISREG(status.st_mode)) throw Error(Code::io, display(path), "is not a regular file");
   const auto size = uint64_t(status.st_size);
   if (size > limit)
-    throw Error(Code::limit, display(path), fmt::format("holds {} bytes", size), fmt::format("at most {} are read", limit));
+    throw Error(Code::limit, display(path), fmt::format("holds {} bytes", size),
+                fmt::format("at most {} are read", limit));
   return size;
 }
 
@@ -76,7 +122,9 @@ Buffer read_whole(const Path& path, uint64_t limit) {
 
 }  // namespace
 
-std::vector<uint8_t> read_file(const Path& path, uint64_t limit) { return read_whole<std::vector<uint8_t>>(path, limit); }
+std::vector<uint8_t> read_file(const Path& path, uint64_t limit) {
+  return read_whole<std::vector<uint8_t>>(path, limit);
+}
 std::string read_text_file(const Path& path, uint64_t limit) { return read_whole<std::string>(path, limit); }
 
 void write_file(const Path& path, std::span<const uint8_t> bytes) {
@@ -99,23 +147,25 @@ void write_file(const Path& path, std::string_view text) {
 }
 
 void write_through(const Path& path, const std::function<void(const Path&)>& write) {
-  const Path temporary = temporary_beside(path);
-  try {
-    write(temporary);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot write");
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
+  if (written_in_place(path)) return write(path);
+  const Path target = link_target(path);
+  const Temporary temporary(target);
+  write(temporary.path());
+  if (::rename(temporary.path().c_str(), target.c_str()) != 0) fail(path, "cannot write");
+}
+
+void remove_partial_files() noexcept {
+  for (PartialName& name : partial_names)
+    if (name.state == kHeld) ::unlink(name.path);
 }
 
 void check_writable(const Path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw Error(Code::io, display(path), "is a folder, not a file");
-  const Path temporary = temporary_beside(path);
-  const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (written_in_place(path)) return;
+  const Temporary temporary(link_target(path));
+  const Descriptor file(::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (file.get() < 0) fail(path, "cannot write", "does the folder exist, and may you write there?");
-  ::unlink(temporary.c_str());
 }
 
 std::string display(const Path& path) { return path.string(); }

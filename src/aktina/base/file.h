@@ -26,8 +26,13 @@ void write_file(const Path& path, std::span<const uint8_t> bytes);
 void write_file(const Path& path, std::string_view text);
 
 /// The same for writers that want a path of their own: `write` gets a temporary path in the same folder, which is
-/// renamed to `path` when it returns and removed when it throws.
+/// renamed to `path` when it returns and removed when it throws. A symbolic link keeps pointing to what it did; devices
+/// and pipes, which cannot be replaced, are written in place.
 void write_through(const Path& path, const std::function<void(const Path& temporary)>& write);
+
+/// Removes the temporary files of writes that are under way. For a program that ends in the middle of one: safe in a
+/// signal handler.
+void remove_partial_files() noexcept;
 
 /// @throws Error io unless a file could be created at `path`: called before long work, not after it.
 void check_writable(const Path& path);
