@@ -1,0 +1,35 @@
+// The accelerators: the only list, and what they share.
+#include "aktina/scene/scene.h"
+#include "aktina/trace/accelerator/accelerator.h"
+
+namespace aktina {
+
+extern const Method<std::unique_ptr<Accelerator>> embree_accelerator, brute_force_accelerator;
+
+std::span<const Method<std::unique_ptr<Accelerator>>* const> accelerators() {
+  static constexpr const Method<std::unique_ptr<Accelerator>>* kTable[] = {&embree_accelerator,
+                                                                           &brute_force_accelerator};
+  return kTable;
+}
+
+Hit Accelerator::intersect(const Ray& ray) const {
+  RayPacket rays;
+  HitPacket hits;
+  rays.set(0, ray);
+  intersect(rays, 1, hits, Coherence::incoherent);
+  return hits.at(0);
+}
+
+bool Accelerator::occluded(const Ray& ray) const {
+  RayPacket rays;
+  rays.set(0, ray);
+  return occluded(rays, 1, Coherence::incoherent) != 0;
+}
+
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene) {
+  auto accelerator = make_method(accelerators(), "accelerator", "embree");
+  accelerator->build(scene);
+  return accelerator;
+}
+
+}  // namespace aktina
