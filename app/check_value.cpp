@@ -1,0 +1,70 @@
+#include "check_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "aktina/base/error.h"
+#include "aktina/render/catalogue.h"
+
+namespace aktina::app {
+namespace {
+
+std::string range_of(const Option& option) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  if (option.min == -kMost && option.max == kMost) return "";
+  if (option.max == kMost) return fmt::format("at least {:g}", option.min);
+  return fmt::format("accepted {:g} .. {:g}", option.min, option.max);
+}
+
+void check_number(const Option& option, const std::string& name, const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const bool whole = option.kind == Kind::whole;
+  const bool only_digits = text.find_first_of(".eEn") == std::string::npos;
+  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value) || (whole && !only_digits))
+    throw Error(Code::usage, name, fmt::format("'{}' is not a {}number", text, whole ? "whole " : ""),
+                range_of(option));
+  if (value < option.min || value > option.max)
+    throw Error(Code::bad_param, name, fmt::format("got {}", text), range_of(option));
+}
+
+void check_choice(const Option& option, const std::string& name, const std::string& text) {
+  if (std::find(option.choices.begin(), option.choices.end(), text) != option.choices.end()) return;
+  throw Error(Code::usage, name, fmt::format("'{}' is not one of its values", text),
+              fmt::format("there are: {}", fmt::join(option.choices.begin(), option.choices.end(), ", ")));
+}
+
+/// The method must be in the catalogue and its parameters within their ranges.
+void check_method(const Option& option, const std::string& text) {
+  const MethodChoice choice = parse_method(text);
+  ParamSet params(find_method(find_family(option.family), choice.id));
+  for (const auto& [id, value] : choice.values) params.set(id, value);
+}
+
+}  // namespace
+
+void check_value(const Option& option, const std::string& name, const std::string& text) {
+  if (text.empty()) throw Error(Code::usage, name, "is empty");
+  // A value that begins with two dashes is a forgotten value, not a file called --json.
+  if (text.starts_with("--") && text.size() > 2)
+    throw Error(Code::usage, name, fmt::format("needs a value, but {} follows", text));
+  switch (option.kind) {
+    case Kind::number:
+    case Kind::whole:
+      return check_number(option, name, text);
+    case Kind::choice:
+      return check_choice(option, name, text);
+    case Kind::method:
+      return check_method(option, text);
+    case Kind::flag:
+    case Kind::text:
+    case Kind::file:
+      return;
+  }
+}
+
+}  // namespace aktina::app

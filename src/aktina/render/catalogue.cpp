@@ -1,0 +1,82 @@
+#include "aktina/render/catalogue.h"
+
+#include <nlohmann/json.hpp>
+
+#include "aktina/base/error.h"
+#include "aktina/illumination/light/light.h"
+#include "aktina/illumination/model.h"
+
+namespace aktina {
+namespace {
+
+template <class Product>
+std::vector<const MethodInfo*> rows(std::span<const Method<Product>* const> table) {
+  std::vector<const MethodInfo*> rows;
+  for (const Method<Product>* row : table) rows.push_back(&row->info);
+  return rows;
+}
+
+nlohmann::ordered_json to_json(const Param& p) {
+  return {{"id", p.id},       {"help", p.help},   {"unit", p.unit},  {"default", p.value},
+          {"minimum", p.min}, {"maximum", p.max}, {"whole", p.whole}};
+}
+
+nlohmann::ordered_json to_json(const MethodInfo& method) {
+  auto params = nlohmann::ordered_json::array();
+  for (const Param& p : method.params) params.push_back(to_json(p));
+  return {{"id", method.id},
+          {"title", method.title},
+          {"summary", method.summary},
+          {"cite", method.cite},
+          {"parameters", std::move(params)}};
+}
+
+nlohmann::ordered_json to_json(const Family& family) {
+  auto methods = nlohmann::ordered_json::array();
+  for (const MethodInfo* method : family.methods) methods.push_back(to_json(*method));
+  return {{"id", family.id},
+          {"title", family.title},
+          {"summary", family.summary},
+          {"folder", family.folder},
+          {"methods", std::move(methods)}};
+}
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> table = {
+      {"light", "Light sources", "What arrives at a point, and from where.", "illumination/light", rows(lights())},
+      {"illumination", "Illumination models", "How a surface reflects light from one direction into another.",
+       "illumination", rows(illumination_models())},
+  };
+  return table;
+}
+
+const Family& find_family(std::string_view id) {
+  std::string known;
+  for (const Family& family : families()) {
+    if (family.id == id) return family;
+    known += (known.empty() ? "" : ", ") + std::string(family.id);
+  }
+  throw Error(Code::no_such_method, std::string(id), "no such family of methods", "there are: " + known);
+}
+
+const MethodInfo& find_method(const Family& family, std::string_view id) {
+  std::string known;
+  for (const MethodInfo* method : family.methods) {
+    if (method->id == id) return *method;
+    known += (known.empty() ? "" : ", ") + std::string(method->id);
+  }
+  no_such_method(family.id, id, known);
+}
+
+std::string catalogue_json(std::string_view family) {
+  auto list = nlohmann::ordered_json::array();
+  if (family.empty())
+    for (const Family& row : families()) list.push_back(to_json(row));
+  else
+    list.push_back(to_json(find_family(family)));
+  return nlohmann::ordered_json{{"schema_version", 1}, {"families", std::move(list)}}.dump(2) + "\n";
+}
+
+}  // namespace aktina
