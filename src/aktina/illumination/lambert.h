@@ -10,6 +10,7 @@ namespace aktina {
 /// J. H. Lambert, Photometria, 1760.
 struct Lambert {
   Reflectance brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
+  float highlight(const Surface& /*s*/, Vec3 /*n*/, Vec3 /*wi*/, Vec3 /*wo*/) const { return 0; }
 };
 
 }  // namespace aktina

@@ -13,7 +13,7 @@
 namespace aktina {
 
 float phong_highlight(Vec3 n, Vec3 wi, Vec3 wo, float exponent) {
-  if (dot(n, wi) <= 0 || dot(n, wo) <= 0) return 0;
+  if (dot(n, wi) <= 0) return 0;
   const float c = dot(reflect_about(n, wi), wo);
   return c > 0 ? std::pow(c, exponent) : 0;
 }

@@ -14,9 +14,9 @@ struct Surface {
   // physically based: glTF's metallic-roughness, KHR_materials_specular, KHR_materials_ior
   Rgb base{0.5f};
   float metallic = 0, roughness = 1;
-  float ior = 1.5f;          // index of refraction, inside over outside
-  Rgb specular_tint{1};      // KHR_materials_specular: colour at normal incidence
-  float specular_weight = 1; // KHR_materials_specular: strength
+  float ior = 1.5f;           // index of refraction, inside over outside
+  Rgb specular_tint{1};       // KHR_materials_specular: colour at normal incidence
+  float specular_weight = 1;  // KHR_materials_specular: strength
 };
 
 /// BRDF value without the cosine, sr^-1, apart by lobe: the diffuse part is what a base texture multiplies and what
