@@ -8,8 +8,9 @@ namespace aktina {
 /// Coefficients at a point. The classic models read ka .. index, the physically based ones base .. specular;
 /// docs/materials.md states how scene materials fill both. All reflectances are in [0, 1].
 struct Surface {
-  // classic: ambient, diffuse, specular and transmission coefficients; Phong's exponent
-  Rgb ka{1}, kd{0.5f}, ks{0}, kt{0};
+  // classic: coefficients of ambient light, diffuse light, highlights of lights, the mirrored ray (Whitted's ks where
+  // his S stands) and the transmitted ray; Phong's exponent
+  Rgb ka{1}, kd{0.5f}, ks{0}, kr{0}, kt{0};
   float exponent = 1;
   // physically based: glTF's metallic-roughness, KHR_materials_specular, KHR_materials_ior
   Rgb base{0.5f};

@@ -19,8 +19,7 @@ Vec2 half_extent(const Camera& camera, int width, int height) {
 CameraRay camera_ray(const Camera& camera, float x, float y, int width, int height) {
   const Vec2 half = half_extent(camera, width, height);
   const float u = (2 * x / float(width) - 1) * half.x, v = (1 - 2 * y / float(height)) * half.y;
-  if (camera.kind == Camera::Kind::orthographic)
-    return {transform_point(camera.to_world, {u, v, 0}), camera.forward()};
+  if (camera.kind == Camera::Kind::orthographic) return {transform_point(camera.to_world, {u, v, 0}), camera.forward()};
   return {camera.position(), normalize(transform_vector(camera.to_world, {u, v, -1}))};
 }
 

@@ -11,12 +11,12 @@ struct Camera {
   enum class Kind : uint8_t { perspective, orthographic };
   std::string name;
   Kind kind = Kind::perspective;
-  Mat4 to_world{1};            // rigid: camera space -> world
-  float vertical_fov = 0.7f;   // rad; perspective
-  float half_height = 1;       // m; orthographic
-  float aspect = 0;            // width / height of the picture; 0: the picture's own
-  float near = 0.01f;          // m
-  float far = kInfinity;       // m
+  Mat4 to_world{1};           // rigid: camera space -> world
+  float vertical_fov = 0.7f;  // rad; perspective
+  float half_height = 1;      // m; orthographic
+  float aspect = 0;           // width / height of the picture; 0: the picture's own
+  float near = 0.01f;         // m
+  float far = kInfinity;      // m
 
   Point3 position() const { return Vec3(to_world[3]); }
   Vec3 forward() const { return -Vec3(to_world[2]); }

@@ -12,9 +12,9 @@ namespace aktina {
 
 /// The classic coefficients, where a file states them (MTL, extras.aktina).
 struct ClassicMaterial {
-  Rgb ka{0}, kd{0.8f}, ks{0}, kt{0};
-  float exponent = 1;  // Phong's n; Blinn's is four times as large for the same lobe
-  float index = 1;     // of refraction
+  Rgb ka{0}, kd{0.8f}, ks{0}, kr{0}, kt{0};  // as in Surface
+  float exponent = 1;                        // Phong's n; Blinn's is four times as large for the same lobe
+  float index = 1;                           // of refraction
 };
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };

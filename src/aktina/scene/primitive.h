@@ -8,10 +8,22 @@
 
 namespace aktina {
 
-struct Sphere { float radius = 1; };                                  // m, about the origin
-struct Disc { float radius = 1; };                                    // in the plane y = 0
-struct Cylinder { float radius = 0.5f, height = 1; };                 // about y, from 0 to height, open
-struct Cone { float radius = 0.5f, top_radius = 0, height = 1; };     // about y, from 0 to height, open
+/// About the origin.
+struct Sphere {
+  float radius = 1;  // m
+};
+/// In the plane y = 0.
+struct Disc {
+  float radius = 1;  // m
+};
+/// About y, from 0 to height, without caps.
+struct Cylinder {
+  float radius = 0.5f, height = 1;  // m
+};
+/// About y, from 0 to height, without caps.
+struct Cone {
+  float radius = 0.5f, top_radius = 0, height = 1;  // m
+};
 
 using Primitive = std::variant<Sphere, Disc, Cylinder, Cone>;
 

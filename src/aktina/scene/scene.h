@@ -40,9 +40,9 @@ struct PlacedLight {
 
 /// Radiance from infinity, equirectangular: u = atan2(x, -z) / 2 pi + 1/2, v = acos(y) / pi, turned by `rotation`.
 struct EnvironmentLight {
-  Image radiance;          // empty: `colour` everywhere
-  Radiance colour{Rgb(0)}; // multiplies the image, or stands alone
-  float rotation = 0;      // rad about +y
+  Image radiance;           // empty: `colour` everywhere
+  Radiance colour{Rgb(0)};  // multiplies the image, or stands alone
+  float rotation = 0;       // rad about +y
   bool shines() const { return !is_black(colour.v); }
 };
 Radiance radiance(const EnvironmentLight& light, Vec3 direction);
@@ -57,20 +57,21 @@ struct Scene {
   std::vector<PlacedLight> lights;
   std::vector<Camera> cameras;
   EnvironmentLight environment;
-  Rgb ambient{0};           // classic ambient light Ia, as radiance of a white ambient reflector, cd/m^2
-  Radiance background;      // what camera rays see beyond everything, where there is no environment
+  Rgb ambient{0};       // classic ambient light Ia, as radiance of a white ambient reflector, cd/m^2
+  Radiance background;  // what camera rays see beyond everything, where there is no environment
 
-  std::string source;       // file it came from, for reports
-  std::string generator;    // program that wrote the file
+  std::string source;     // file it came from, for reports
+  std::string generator;  // program that wrote the file
   double metres_per_unit = 1;
-  Warnings warnings;        // what import repaired or guessed
+  Warnings warnings;  // what import repaired or guessed
 
+  /// Of an instance, or of its mesh; matt with reflectance 0.8 where neither has one.
   const Material& material_of(const Instance& instance) const;
 };
 
 /// Bounds of everything that is drawn, world space.
 Bounds bounds(const Scene& scene);
-uint64_t triangle_count(const Scene& scene);  // instances counted each
+uint64_t triangle_count(const Scene& scene);  // of meshes, instances counted each
 /// Hash of everything that affects a picture.
 Hash64 hash(const Scene& scene);
 

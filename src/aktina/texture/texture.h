@@ -17,12 +17,16 @@ enum class Filter : uint8_t { bilinear, nearest };
 /// A picture that materials share. Bitmaps stay 8 bit in memory.
 struct TextureImage {
   std::string name;
-  std::string uri;                         // where it came from; empty for embedded ones
-  std::string media_type;                  // "image/png"
-  std::vector<uint8_t> encoded;            // the file's own bytes, kept for export
+  std::string uri;               // where it came from; empty for embedded ones
+  std::string media_type;        // "image/png"
+  std::vector<uint8_t> encoded;  // the file's own bytes, kept for export
   std::variant<Bitmap, Image> pixels;
-  int width() const { return std::visit([](const auto& p) { return p.width; }, pixels); }
-  int height() const { return std::visit([](const auto& p) { return p.height; }, pixels); }
+  int width() const {
+    return std::visit([](const auto& p) { return p.width; }, pixels);
+  }
+  int height() const {
+    return std::visit([](const auto& p) { return p.height; }, pixels);
+  }
 };
 
 /// Use of a picture by a material: glTF's textureInfo with KHR_texture_transform and sampler.

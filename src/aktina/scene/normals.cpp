@@ -1,0 +1,191 @@
+// Vertex normals of a whole mesh: which facets are one fan, and which vertices must be doubled.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "aktina/scene/mesh.h"
+#include "aktina/scene/weld.h"
+
+namespace aktina {
+namespace {
+
+/// A corner of a triangle at the vertex in hand.
+struct Corner {
+  uint32_t id;              // 3 * triangle + corner
+  uint32_t face;            // source polygon
+  uint32_t next, previous;  // welded vertices that follow and precede it
+  uint32_t fan;             // representative: index into the list of corners
+};
+
+/// An edge that leaves (or enters) the vertex in hand.
+struct Spoke {
+  uint32_t other;   // welded vertex at the far end
+  uint32_t corner;  // index into the list of corners
+  bool leaves;
+};
+
+class NormalGenerator {
+ public:
+  NormalGenerator(Mesh& mesh, float crease, FacetWeighting weighting)
+      : mesh_(mesh), weighting_(weighting), least_cosine_(std::cos(double(crease) + 1e-4)) {
+    const std::vector<uint32_t> place = weld(mesh.positions);
+    places_ = mesh.triangles;
+    for (auto& triangle : places_)
+      for (uint32_t& vertex : triangle) vertex = place[vertex];
+    face_normals_.assign(mesh.faces(), Vec3d(0));
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      face_normals_[mesh.face_of(t)] += cross(edge(t, 0, 1), edge(t, 0, 2));
+    for (Vec3d& n : face_normals_) n = length(n) > 0 ? normalize(n) : Vec3d(0);
+    mesh.normals.assign(mesh.positions.size(), Vec3(0, 1, 0));
+    taken_.assign(mesh.positions.size(), false);
+  }
+
+  void run() {
+    collect_corners();
+    for (size_t i = 0; i + 1 < first_corner_.size(); ++i) {
+      load(first_corner_[i], first_corner_[i + 1]);
+      if (corners_.empty()) continue;
+      join_fans();
+      assign_normals();
+    }
+  }
+
+ private:
+  Vec3d edge(uint32_t t, uint32_t from, uint32_t to) const {
+    return Vec3d(mesh_.positions[places_[t][to]]) - Vec3d(mesh_.positions[places_[t][from]]);
+  }
+  uint32_t& vertex_of(uint32_t corner) { return mesh_.triangles[corner / 3][corner % 3]; }
+  bool degenerate(const Corner& c) const { return c.next == c.previous || face_normals_[c.face] == Vec3d(0); }
+
+  /// Corners sorted by the place they stand in (counting sort).
+  void collect_corners() {
+    first_corner_.assign(mesh_.positions.size() + 1, 0);
+    for (const auto& triangle : places_)
+      for (const uint32_t place : triangle) ++first_corner_[place + 1];
+    std::partial_sum(first_corner_.begin(), first_corner_.end(), first_corner_.begin());
+    sorted_corners_.resize(3 * places_.size());
+    std::vector<uint32_t> cursor(first_corner_.begin(), first_corner_.end() - 1);
+    for (uint32_t corner = 0; corner < sorted_corners_.size(); ++corner)
+      sorted_corners_[cursor[places_[corner / 3][corner % 3]]++] = corner;
+  }
+
+  void load(uint32_t begin, uint32_t end) {
+    corners_.clear();
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t id = sorted_corners_[i], t = id / 3, k = id % 3;
+      corners_.push_back({id, mesh_.face_of(t), places_[t][(k + 1) % 3], places_[t][(k + 2) % 3], uint32_t(i - begin)});
+    }
+  }
+
+  uint32_t fan_of(uint32_t corner) {
+    while (corners_[corner].fan != corner) corner = corners_[corner].fan = corners_[corners_[corner].fan].fan;
+    return corner;
+  }
+
+  /// Joins corners across edges that exactly two facets share, in opposite directions, without a crease.
+  void join_fans() {
+    spokes_.clear();
+    for (uint32_t i = 0; i < corners_.size(); ++i) {
+      if (degenerate(corners_[i])) continue;
+      spokes_.push_back({corners_[i].next, i, true});
+      spokes_.push_back({corners_[i].previous, i, false});
+    }
+    std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) { return a.other < b.other; });
+    for (size_t i = 0, end = 0; i < spokes_.size(); i = end) {
+      while (end < spokes_.size() && spokes_[end].other == spokes_[i].other) ++end;
+      if (end - i == 2 && spokes_[i].leaves != spokes_[i + 1].leaves &&
+          smooth(spokes_[i].corner, spokes_[i + 1].corner))
+        corners_[fan_of(spokes_[i].corner)].fan = fan_of(spokes_[i + 1].corner);
+    }
+    for (uint32_t i = 0; i < corners_.size(); ++i) corners_[i].fan = fan_of(i);
+  }
+  bool smooth(uint32_t a, uint32_t b) const {
+    const uint32_t face_a = corners_[a].face, face_b = corners_[b].face;
+    return face_a == face_b || dot(face_normals_[face_a], face_normals_[face_b]) >= least_cosine_;
+  }
+
+  void assign_normals() {
+    std::sort(corners_.begin(), corners_.end(), [](const Corner& a, const Corner& b) {
+      return a.fan != b.fan ? a.fan < b.fan : a.face != b.face ? a.face < b.face : a.id < b.id;
+    });
+    for (size_t i = 0, end = 0; i < corners_.size(); i = end) {
+      while (end < corners_.size() && corners_[end].fan == corners_[i].fan) ++end;
+      const std::span<Corner> fan(&corners_[i], end - i);
+      give(fan, Vec3(normal_of(fan)));
+    }
+  }
+
+  Vec3d normal_of(std::span<const Corner> fan) {
+    const Vec3d flat = face_normals_[fan.front().face];
+    if (fan.front().face == fan.back().face) return flat == Vec3d(0) ? Vec3d(0, 1, 0) : flat;
+    facets_.clear();
+    for (size_t i = 0, end = 0; i < fan.size(); i = end) {
+      while (end < fan.size() && fan[end].face == fan[i].face) ++end;
+      add_facet(fan.subspan(i, end - i));
+    }
+    const Vec3d normal = vertex_normal(weighting_, facets_);
+    return normal == Vec3d(0) ? flat : normal;
+  }
+
+  /// The triangles of one polygon at this vertex are one facet: its own two edges count, not the diagonals.
+  void add_facet(std::span<const Corner> face) {
+    const Corner *first = nullptr, *last = nullptr;
+    if (face.size() <= kLargestPolygonFan)
+      for (const Corner& c : face) {
+        const auto follows = [&](const Corner& o) { return o.previous == c.next; };
+        const auto precedes = [&](const Corner& o) { return o.next == c.previous; };
+        if (std::none_of(face.begin(), face.end(), follows)) first = &c;
+        if (std::none_of(face.begin(), face.end(), precedes)) last = &c;
+      }
+    if (first && last) {
+      const FacetCorner whole{edge_to_next(*first), edge_to_previous(*last)};
+      if (dot(cross(whole.next, whole.previous), face_normals_[first->face]) > 0) return facets_.push_back(whole);
+    }
+    for (const Corner& c : face) facets_.push_back({edge_to_next(c), edge_to_previous(c)});
+  }
+  Vec3d edge_to_next(const Corner& c) const { return edge(c.id / 3, c.id % 3, (c.id % 3 + 1) % 3); }
+  Vec3d edge_to_previous(const Corner& c) const { return edge(c.id / 3, c.id % 3, (c.id % 3 + 2) % 3); }
+
+  /// Writes a fan's normal to its vertices; a vertex that another fan has taken is doubled.
+  void give(std::span<Corner> fan, Vec3 normal) {
+    std::sort(fan.begin(), fan.end(),
+              [&](const Corner& a, const Corner& b) { return vertex_of(a.id) < vertex_of(b.id); });
+    for (size_t i = 0, end = 0; i < fan.size(); i = end) {
+      const uint32_t old = vertex_of(fan[i].id);
+      while (end < fan.size() && vertex_of(fan[end].id) == old) ++end;
+      const uint32_t vertex = taken_[old] ? doubled(old) : old;
+      taken_[old] = true;
+      mesh_.normals[vertex] = normal;
+      for (size_t k = i; k < end; ++k) vertex_of(fan[k].id) = vertex;
+    }
+  }
+  uint32_t doubled(uint32_t vertex) {
+    const auto again = [vertex](auto& list) {
+      if (!list.empty()) list.push_back(list[vertex]);
+    };
+    again(mesh_.positions), again(mesh_.normals), again(mesh_.tangents);
+    again(mesh_.uv[0]), again(mesh_.uv[1]), again(mesh_.colours);
+    return uint32_t(mesh_.positions.size()) - 1;
+  }
+
+  static constexpr size_t kLargestPolygonFan = 64;  // triangles of one polygon at one vertex that are looked at as one
+
+  Mesh& mesh_;
+  FacetWeighting weighting_;
+  double least_cosine_;
+  std::vector<std::array<uint32_t, 3>> places_;  // triangles over welded vertices
+  std::vector<Vec3d> face_normals_;              // unit, or 0
+  std::vector<uint32_t> first_corner_, sorted_corners_;
+  std::vector<bool> taken_;
+  std::vector<Corner> corners_;
+  std::vector<Spoke> spokes_;
+  std::vector<FacetCorner> facets_;
+};
+
+}  // namespace
+
+void generate_normals(Mesh& mesh, float crease, FacetWeighting weighting) {
+  if (mesh.normals.empty() && !mesh.positions.empty()) NormalGenerator(mesh, crease, weighting).run();
+}
+
+}  // namespace aktina
