@@ -22,9 +22,10 @@ packages=(
   nodejs npm
 )
 
+installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
 missing=()
 for package in "${packages[@]}"; do
-  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  grep -qxF "$package" <<<"$installed" || missing+=("$package")
 done
 # A Node.js that is already there (a newer one often conflicts with Debian's npm package) is good enough.
 if command -v npm >/dev/null && command -v node >/dev/null; then

@@ -25,6 +25,21 @@ std::string compose(const std::string& where, const std::string& what, const std
   return one_line(text);
 }
 
+/// Bytes of the UTF-8 character that `text` begins with; 0 where it is none (overlong forms and surrogates included).
+size_t utf8_length(std::string_view text) {
+  const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  for (size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const unsigned second = byte(1);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool surrogate = first == 0xed && second >= 0xa0, beyond = first == 0xf4 && second >= 0x90;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
 }  // namespace
 
 const CodeInfo& info(Code code) {
@@ -35,9 +50,19 @@ const CodeInfo& info(Code code) {
 
 std::string one_line(std::string_view text) {
   std::string line;
-  for (const char c : text) {
+  while (!text.empty()) {
     if (line.size() >= kLongestLine) return line + "...";
-    line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    const size_t length = utf8_length(text);
+    const auto first = static_cast<unsigned char>(text[0]);
+    const bool control = first < 0x20 || first == 0x7f ||
+                         (length == 2 && first == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0);  // C1
+    if (length == 0)
+      line += "\uFFFD";
+    else if (control)
+      line += ' ';
+    else
+      line += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
   }
   return line;
 }

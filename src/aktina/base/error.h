@@ -46,7 +46,8 @@ class Error : public std::runtime_error {
   std::string where_, message_, hint_;
 };
 
-/// The same text on one line: control characters and line breaks become blanks, very long text is cut.
+/// The same text on one line of valid UTF-8: control characters and line breaks become blanks, bytes that are no UTF-8
+/// become U+FFFD, very long text is cut.
 std::string one_line(std::string_view text);
 
 }  // namespace aktina

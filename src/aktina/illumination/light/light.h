@@ -22,7 +22,7 @@ struct LightSample {
 struct PointLight {
   Point3 position{0};
   Intensity intensity{Rgb(1)};
-  Attenuation attenuation;
+  Attenuation attenuation{};
 };
 
 /// A point light that shines within a cone about `direction`, as KHR_lights_punctual (smooth cone) or
@@ -33,7 +33,7 @@ struct SpotLight {
   Intensity intensity{Rgb(1)};
   float inner_angle = 0, outer_angle = 0.785398f;  // rad, from the axis; smooth between them
   float exponent = 0;                              // cos^exponent inside the cone; 0: none
-  Attenuation attenuation;
+  Attenuation attenuation{};
 };
 
 /// Parallel light from far away.

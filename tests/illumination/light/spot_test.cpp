@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include "illumination/light/light_checks.h"
+
+namespace aktina {
+namespace {
+
+Point3 at_angle(float angle) { return {std::sin(angle), 0, -std::cos(angle)}; }
+
+TEST(SpotLight, SmoothConeOfKhrLightsPunctual) {
+  const SpotLight lamp{.intensity = Intensity(Rgb(10)), .inner_angle = 0.3f, .outer_angle = 0.6f};
+  EXPECT_FLOAT_EQ(sample(lamp, at_angle(0)).e_perp.v.g, 10);
+  EXPECT_FLOAT_EQ(sample(lamp, at_angle(0.29f)).e_perp.v.g, 10) << "full inside the inner cone";
+  EXPECT_EQ(sample(lamp, at_angle(0.61f)).e_perp.v.g, 0) << "nothing outside the outer one";
+  const float halfway = std::acos((std::cos(0.3f) + std::cos(0.6f)) / 2);
+  EXPECT_NEAR(sample(lamp, at_angle(halfway)).e_perp.v.g, 2.5f, 1e-4f) << "the square of a linear ramp in the cosine";
+}
+
+TEST(SpotLight, HardConeWithAPowerOfTheCosine) {
+  const SpotLight lamp{.inner_angle = 0.5f, .outer_angle = 0.5f, .exponent = 3};
+  EXPECT_NEAR(sample(lamp, at_angle(0.4f)).e_perp.v.g, std::pow(std::cos(0.4f), 3.0f), 1e-5f);
+  EXPECT_EQ(sample(lamp, at_angle(0.51f)).e_perp.v.g, 0);
+}
+
+TEST(SpotLight, FluxIsTheIntegralOfItsIntensity) {
+  const double cap = 2 * kPi * (1 - std::cos(0.5));  // solid angle of a cone of half angle 0.5
+  EXPECT_NEAR(flux(SpotLight{.inner_angle = 0.5f, .outer_angle = 0.5f})->v.g, cap, 1e-5);
+  const SpotLight smooth{.inner_angle = 0.2f, .outer_angle = 0.8f, .exponent = 2};
+  EXPECT_NEAR(test::flux_through_sphere(smooth, 1, 1 << 14), flux(smooth)->v.g, 0.01 * flux(smooth)->v.g);
+}
+
+}  // namespace
+}  // namespace aktina
