@@ -19,20 +19,27 @@ inline Reflectance brdf(const IlluminationModel& model, const Surface& s, Vec3 n
   return std::visit([&](const auto& m) { return m.brdf(s, n, wi, wo); }, model);
 }
 
-/// Radiance towards wo for a light of classic colour Ip = E / pi, as the literature's lighting equation has it:
-/// Ip (kd (n.wi)+ + ks S), S the model's highlight; Ip pi (n.wi)+ brdf for models that are defined by a BRDF. A classic
-/// model shines on whatever side of the (interpolated) normal the viewer is.
-inline Rgb classic_radiance(const IlluminationModel& model, const Surface& s, Vec3 n, Vec3 wi, Vec3 wo, Rgb ip) {
+/// f times the cosine of the light, (n.wi)+, apart by lobe, sr^-1: what the lighting equation sums up. Models with a
+/// highlight S of the literature give (kd n.wi + ks S) / pi, on whatever side of the (interpolated) normal the viewer
+/// is; models that are defined by a BRDF give that.
+inline Reflectance brdf_cosine(const IlluminationModel& model, const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) {
   const float n_wi = dot(n, wi);
   if (!(n_wi > 0)) return {};
   return std::visit(
-      [&](const auto& m) -> Rgb {
-        if constexpr (requires { m.highlight(s, n, wi, wo); })
-          return ip * (s.kd * n_wi + s.ks * m.highlight(s, n, wi, wo));
-        else
-          return ip * m.brdf(s, n, wi, wo).total() * (float(kPi) * n_wi);
+      [&](const auto& m) -> Reflectance {
+        if constexpr (requires { m.highlight(s, n, wi, wo); }) {
+          return {s.kd * (n_wi * float(kInvPi)), s.ks * (m.highlight(s, n, wi, wo) * float(kInvPi))};
+        } else {
+          const Reflectance f = m.brdf(s, n, wi, wo);
+          return {f.diffuse * n_wi, f.specular * n_wi};
+        }
       },
       model);
+}
+
+/// Radiance towards wo for a light of classic colour Ip = E / pi: Ip (kd (n.wi)+ + ks S).
+inline Rgb classic_radiance(const IlluminationModel& model, const Surface& s, Vec3 n, Vec3 wi, Vec3 wo, Rgb ip) {
+  return ip * brdf_cosine(model, s, n, wi, wo).total() * float(kPi);
 }
 
 std::span<const Method<IlluminationModel>* const> illumination_models();

@@ -1,0 +1,58 @@
+// The illumination equation at many points at a time: a material, a model and all lights, resolved once.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "aktina/illumination/illuminate.h"
+
+namespace aktina {
+
+/// Arrays of the SIMD code are aligned to 64 bytes and padded to a multiple of kLanes values.
+inline constexpr size_t kLanes = 16;
+inline constexpr size_t padded(size_t n) { return (n + kLanes - 1) / kLanes * kLanes; }
+
+/// Coefficients that differ from point to point, as textures have them; null: the material's own.
+struct SurfaceArrays {
+  const float* ka[3] = {};
+  const float* kd[3] = {};
+  const float* ks[3] = {};
+  const float* exponent = nullptr;
+};
+
+/// Structure of arrays: `count` points, each array 64-byte aligned and padded.
+struct PointArrays {
+  size_t count;
+  const float* position[3];  // m, world
+  const float* normal[3];    // of any length above 1e-15; on the side that is seen
+  const SurfaceArrays* surface = nullptr;
+};
+
+/// Where radiance goes, cd/m^2; arrays as above, padding is written too.
+struct LitArrays {
+  float* diffuse[3];  // with ambient light
+  float* specular[3];
+};
+
+class Illuminator {
+ public:
+  /// The lights are copied.
+  Illuminator(const IlluminationModel& model, const Surface& surface, std::span<const Light> lights, Rgb ambient,
+              const Viewer& viewer);
+
+  /// illuminate() at each point; never NaN for finite points.
+  void evaluate(const PointArrays& points, const LitArrays& out) const;
+
+  const Viewer& viewer() const { return viewer_; }
+  const Surface& surface() const { return surface_; }
+
+ private:
+  IlluminationModel model_;
+  Surface surface_;
+  std::vector<Light> lights_;
+  Rgb ambient_;
+  Viewer viewer_;
+};
+
+}  // namespace aktina

@@ -1,0 +1,42 @@
+// A scene and a camera -> a picture: visible surfaces by depth buffer, light interpolated by a shading method.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "aktina/base/progress.h"
+#include "aktina/image/image.h"
+#include "aktina/scene/scene.h"
+
+namespace aktina {
+
+struct RasterOptions {
+  std::string shading = "phong";       // "METHOD" or "METHOD:parameter=number,...", as shading_methods() lists them
+  std::string illumination = "phong";  // as illumination_models() lists them
+  int samples = 1;                     // per pixel: 1, 4 or 16 on a regular grid, averaged
+  bool cull_back_faces = false;        // leave out the backs of single-sided materials; else both sides are drawn
+  // Layers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z" (distance
+  // along the view axis, m; infinite where nothing is seen).
+  bool albedo = false, normal = false, position = false, depth = false;
+};
+
+/// Linear radiance, cd/m^2, lit by lamps without shadows; emissive surfaces count as small lamps, and the sky as
+/// ambient light. The same bytes for any number of threads.
+/// @throws Error usage, bad_param, no_such_method (options), limit (size), cancelled
+LayeredImage rasterize(const Scene& scene, const Camera& camera, int width, int height,
+                       const RasterOptions& options = {}, Progress* progress = nullptr);
+
+/// Radiance given at the vertices (a radiosity solution), interpolated over each triangle of a mesh in world space.
+/// @param radiance  cd/m^2, one per vertex
+Image rasterize_radiance(const Mesh& mesh, std::span<const Rgb> radiance, const Camera& camera, int width, int height,
+                         int samples = 1);
+
+/// Which triangle each pixel sees: an item buffer.
+struct ItemBuffer {
+  static constexpr uint32_t kNothing = 0xffffffff;
+  int width = 0, height = 0;
+  std::vector<uint32_t> item;  // rows from top to bottom; triangles counted through instance by instance
+};
+ItemBuffer rasterize_items(const Scene& scene, const Camera& camera, int width, int height);
+
+}  // namespace aktina
