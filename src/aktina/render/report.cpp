@@ -21,13 +21,11 @@ double Stopwatch::lap() {
 }
 
 std::string to_json(const Report& report) {
-  nlohmann::ordered_json json = {{"program", "aktina"},
-                                 {"version", version()},
-                                 {"settings", report.settings},
-                                 {"seed", report.seed},
-                                 {"scene", {{"file", report.scene_file}, {"hash", report.scene_hash}}},
-                                 {"threads", report.threads},
-                                 {"complete", report.complete}};
+  nlohmann::ordered_json json = {{"program", "aktina"}, {"version", version()}};
+  if (!report.settings.empty()) json.update({{"settings", report.settings}, {"seed", report.seed}});
+  if (!report.scene_hash.empty()) json["scene"] = {{"file", report.scene_file}, {"hash", report.scene_hash}};
+  if (report.threads > 0) json["threads"] = report.threads;
+  json["complete"] = report.complete;
   auto& timings = json["timings"] = nlohmann::ordered_json::object();
   for (const Report::Timing& timing : report.timings) timings[timing.stage] = timing.seconds;
   auto& counts = json["counts"] = nlohmann::ordered_json::object();
