@@ -1,0 +1,15 @@
+"""Aktina: how light falls on surfaces, and what the eye sees.
+
+Illumination models, shading interpolation, ray tracing and radiosity on NumPy arrays. Lengths are in metres, colours
+linear Rec. 709, light in photometric units: radiance cd/m^2, irradiance lx, radiosity lm/m^2, intensity cd. Names of
+methods are those of the `aktina` program; `aktina.methods()` lists them.
+"""
+from ._catalogue import methods
+from ._core import set_thread_count, thread_count, version as __version__
+from ._errors import (BadInput, BadParam, Cancelled, CheckFailed, Error, FileError, LimitExceeded, NoSuchMethod,
+                      Unsupported, UsageError)
+from ._geometry import Hits, intersect, vertex_normal
+from ._illumination import highlight, illuminate
+from ._lights import attenuation, depth_cue, irradiance, spot_falloff
+
+__all__ = [name for name in dir() if not name.startswith("_")]

@@ -1,0 +1,73 @@
+"""Rays against single shapes, and the normal of one vertex."""
+import numpy as np
+
+from . import _core
+from ._arrays import number, one_vector, rows, spread
+
+
+class Hits:
+    """What rays meet: arrays with the leading axes of the rays.
+
+    `distance` : in units of the directions' length; infinity where nothing was hit.
+    `point` : (..., 3), m; NaN where nothing was hit, as are `normal` and `uv`.
+    `normal` : (..., 3), unit, on the front side of the surface.
+    `uv` : (..., 2); on triangles the weights of the second and third corner.
+    `hit` : (...,) bool.
+    `instance`, `triangle` : (...,) int64, of a scene's: which of its instances, and which triangle of that one's mesh;
+        -1 where nothing was hit; None for a single shape.
+    """
+
+    def __init__(self, distance, point, normal, uv, instance=None, triangle=None):
+        self.distance, self.point, self.normal, self.uv = distance, point, normal, uv
+        self.instance, self.triangle = instance, triangle
+
+    @property
+    def hit(self):
+        return np.isfinite(self.distance)
+
+    def __repr__(self):
+        return f"<aktina.Hits: {np.count_nonzero(self.hit)} of {self.distance.size} rays hit>"
+
+
+def intersect(shape, origins, directions, near=0.0, far=np.inf, **sizes):
+    """Where rays meet one shape, in double precision. Both sides of a surface count.
+
+    shape, sizes : "plane" (normal, d: normal . x = d), "sphere" (centre, radius), "triangle" (vertices (3, 3)),
+        "polygon" (vertices (K, 3): planar, of any form), or a method of the family "primitive" in its own space: "disc"
+        (radius; in y = 0), "cylinder" (radius, height; about y), "cone" (radius, top_radius, height; about y).
+    origins, directions : (..., 3); m, directions need not be unit.
+    near, far : only hits between them count, in units of the directions' length.
+    Returns Hits.  Raises NoSuchMethod (shape), UsageError (sizes), BadParam.
+
+    >>> import aktina
+    >>> hits = aktina.intersect("sphere", [[0, 0, -3], [2, 0, -3]], [0, 0, 1], centre=[0, 0, 0], radius=1)
+    >>> hits.distance.tolist(), hits.normal[0].tolist()
+    ([2.0, inf], [0.0, 0.0, -1.0])
+    """
+    shape_of_rays, (origins, directions) = spread(origins=rows("origins", origins, 3, np.float64),
+                                                  directions=rows("directions", directions, 3, np.float64))
+    distance = np.full(shape_of_rays, np.inf)
+    normal, uv = np.full((*shape_of_rays, 3), np.nan), np.full((*shape_of_rays, 2), np.nan)
+    flat = distance.reshape(-1)
+    _core.intersect({"type": shape, **sizes}, origins, directions, number("near", near), float(far), flat, normal, uv)
+    with np.errstate(invalid="ignore"):
+        point = (origins + flat[:, np.newaxis] * directions).reshape(normal.shape)
+    point[np.isinf(distance)] = np.nan
+    return Hits(distance, point, normal, uv)
+
+
+def vertex_normal(method, vertex, rim, closed=True):
+    """Unit normal of a vertex from the facets around it.
+
+    method : of the family "normals": "plain", "area", "angle", "max".
+    vertex : (3,), m.  rim : (K, 3), the other corners of the facets, counter-clockwise seen from outside; facet i has
+        the corners vertex, rim[i], rim[i + 1].
+    closed : whether the last and the first of the rim share a facet too.
+    Returns (3,) float64; zeros where the facets cancel out.
+
+    >>> import aktina
+    >>> aktina.vertex_normal("angle", [0, 0, 1], [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]).tolist()
+    [0.0, 0.0, 1.0]
+    """
+    rim = np.ascontiguousarray(rows("rim", rim, 3, np.float64))
+    return np.array(_core.vertex_normal(method, one_vector("vertex", vertex), rim, bool(closed)))

@@ -1,0 +1,73 @@
+"""Illumination models, evaluated on arrays of directions."""
+import numpy as np
+
+from . import _core
+from ._arrays import colours, numbers, rows, spread, unit_vectors
+from ._errors import UsageError
+
+_FIELDS = dict(_core.surface_fields())
+
+
+def illuminate(model, material, n, l, v=None, light=1.0, ambient=0.0):
+    """Radiance that a surface sends to the viewer, lit from one direction: ka Ia + Ip (kd (n.l)+ + ks S).
+
+    The classic lighting equation, with `light` as Ip and `ambient` as Ia. S is the model's highlight. Ip is the
+    illuminance on a plane that faces the light divided by pi, so that a white diffuse surface (kd = 1) facing the light
+    has radiance Ip; a model that is defined by a BRDF f gives Ip pi f (n.l)+ in place of the bracket. Light from behind
+    the surface gives the ambient term alone.
+
+    model : a method of the family "illumination", such as "phong".
+    material : dictionary of coefficients, or a material of a scene. The classic models read ka, kd, ks (colours) and
+        exponent. Left out: ka 1, kd 0.5, ks 0, exponent 1.
+    n, l, v : (..., 3), unit: surface normal, direction to the light, direction to the viewer (n where left out).
+    light, ambient : (..., 3), or one number for grey; cd/m^2.
+    Returns (..., 3) float32, cd/m^2, of the shape that the arguments broadcast to; coefficients broadcast too.
+    Raises NoSuchMethod, UsageError (a shape, an unknown coefficient), BadParam (NaN, a vector that is not unit).
+    Source: phong1975, blinn1977 and the model's own.
+
+    >>> import aktina
+    >>> lit = aktina.illuminate("phong", {"kd": 0.5, "ks": 0.25, "exponent": 10}, n=[0, 0, 1], l=[0, 0.6, 0.8],
+    ...                         v=[0, -0.6, 0.8], light=[1, 1, 2])
+    >>> lit.round(4).tolist()
+    [0.6499999761581421, 0.6499999761581421, 1.2999999523162842]
+    """
+    material = material.get("surface", material)
+    unknown = sorted(set(material) - set(_FIELDS))
+    if unknown:
+        raise UsageError("no such coefficient", f"material.{unknown[0]}", "there are: " + ", ".join(_FIELDS))
+    given = {name: _coefficient(name, material[name]) for name in material}
+    n = unit_vectors("n", n)
+    arrays = {"n": n, "l": unit_vectors("l", l), "v": n if v is None else unit_vectors("v", v),
+              "light": colours("light", light), "ambient": colours("ambient", ambient)}
+    shape, flat = spread(**arrays, **given)
+    surfaces = _surfaces(dict(zip(given, flat[len(arrays):])))
+    out = np.empty((*shape, 3), np.float32)
+    _core.illuminate(model, surfaces, *flat[:len(arrays)], out)
+    return out
+
+
+def highlight(model, n, l, v, exponent):
+    """The highlight S of a classic model: the part of `illuminate` that ks multiplies.
+
+    n, l, v : (..., 3), unit.  exponent : (...,), Phong's n.
+    Returns (...,) float32, dimensionless.
+
+    >>> import aktina
+    >>> float(aktina.highlight("blinn_phong", [0, 0, 1], [0, 0, 1], [0, 0, 1], 50))
+    1.0
+    """
+    return illuminate(model, {"kd": 0, "ks": 1, "exponent": exponent}, n, l, v)[..., 0]
+
+
+def _coefficient(name, values):
+    if len(_FIELDS[name]) == 3:
+        return colours(name, values)
+    return numbers(name, values, np.float32)[..., np.newaxis]
+
+
+def _surfaces(given):
+    """Rows in the order of the core's fields; what is not given keeps its default."""
+    count = max([len(values) for values in given.values()], default=1)
+    columns = [np.broadcast_to(given.get(name, np.float32(default)), (count, len(default)))
+               for name, default in _FIELDS.items()]
+    return np.hstack(columns, dtype=np.float32)

@@ -1,0 +1,84 @@
+// Rays against single shapes, and the normal of one vertex: pure functions in double precision.
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "aktina/illumination/normals/normals.h"
+#include "aktina/trace/primitive/primitive.h"
+#include "arrays.h"
+#include "fields.h"
+#include "primitive_dict.h"
+#include "rooms.h"
+
+namespace aktina::python {
+namespace {
+
+using Shape = std::function<std::optional<SurfaceHit>(const Line&)>;
+
+/// {"type": "plane", "normal": ..., "d": ...} and so on: whatever a line can meet.
+Shape shape_from(const py::dict& dict) {
+  std::string type;
+  FromDict field(dict, "shape");
+  field("type", type);
+  Shape shape;
+  if (type == "plane") {
+    Vec3d normal(0, 1, 0);
+    double d = 0;
+    field("normal", normal), field("d", d);
+    shape = [=](const Line& line) { return intersect_plane(line, normal, d); };
+  } else if (type == "sphere") {
+    Point3d centre(0);
+    double radius = 1;
+    field("centre", centre), field("radius", radius);
+    shape = [=](const Line& line) { return intersect_sphere(line, centre, radius); };
+  } else if (type == "triangle" || type == "polygon") {
+    std::vector<Point3d> corners;
+    field("vertices", corners);
+    if (corners.size() < 3 || (type == "triangle" && corners.size() != 3))
+      throw Error(Code::usage, "shape.vertices", fmt::format("has {} corners", corners.size()));
+    if (type == "polygon")
+      shape = [=](const Line& line) { return intersect_polygon(line, corners); };
+    else
+      shape = [=](const Line& line) { return intersect_triangle(line, corners[0], corners[1], corners[2]); };
+  } else {
+    const Primitive primitive = read_primitive(type, field);
+    shape = [=](const Line& line) { return intersect(primitive, line); };
+  }
+  field.expect_all_read();
+  return shape;
+}
+
+/// What is not hit has distance infinity; its other results stay as Python has filled them.
+void intersect_shape(const py::dict& shape_fields, const py::buffer& origins, const py::buffer& directions, double near,
+                     double far, const py::buffer& distance, const py::buffer& normal, const py::buffer& uv) {
+  const Shape shape = shape_from(shape_fields);
+  const Rows<const double> origin(origins, 3, "origins"), direction(directions, 3, "directions");
+  const Rows<double> t(distance, 1, "distance"), n(normal, 3, "normal"), parameters(uv, 2, "uv");
+  for (size_t i = 0; i < t.size(); ++i) {
+    const auto hit = shape({vec3d(origin.row_or_only(i)), vec3d(direction.row_or_only(i)), near, far});
+    if (!hit) continue;
+    *t.row(i) = hit->t;
+    for (int k = 0; k < 3; ++k) n.row(i)[k] = hit->normal[k];
+    parameters.row(i)[0] = hit->u, parameters.row(i)[1] = hit->v;
+  }
+}
+
+py::object normal_of_vertex(const std::string& method, const py::buffer& vertex, const py::buffer& rim, bool closed) {
+  const FacetWeighting weighting = make_method(normals(), "normals", method);
+  const Rows<const double> centre(vertex, 3, "vertex"), corners(rim, 3, "rim");
+  const Vec3d q = vec3d(centre.row(0));
+  std::vector<FacetCorner> fan;
+  for (size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i)
+    fan.push_back({vec3d(corners.row(i)) - q, vec3d(corners.row((i + 1) % corners.size())) - q});
+  const Vec3d n = vertex_normal(weighting, fan);
+  return py::make_tuple(n.x, n.y, n.z);
+}
+
+}  // namespace
+
+void bind_geometry(py::module_& m) {
+  m.def("intersect", &intersect_shape);
+  m.def("vertex_normal", &normal_of_vertex);
+}
+
+}  // namespace aktina::python

@@ -1,0 +1,16 @@
+// What each file binds, called once by core.cpp.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace aktina::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& m);
+void bind_geometry(py::module_& m);
+void bind_illumination(py::module_& m);
+void bind_lights(py::module_& m);
+void bind_catalogue(py::module_& m);
+
+}  // namespace aktina::python
