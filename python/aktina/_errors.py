@@ -82,6 +82,6 @@ class Cancelled(Error):
     code = "cancelled"
 
 
-CLASSES = (UsageError, BadParam, NoSuchMethod, BadInput, FileError, LimitExceeded, CheckFailed, Unsupported, Cancelled)
-for _class in (Error, *CLASSES):
+for _class in (Error, *Error.__subclasses__()):
     _class.__module__ = "aktina"
+del _class

@@ -4,11 +4,11 @@ import pickle
 import pytest
 
 import aktina
-from aktina import _core, _errors
+from aktina import _core
 
 
 def test_classes_follow_the_table_of_codes():
-    assert [(each.code, each.__name__) for each in _errors.CLASSES] == _core.error_classes()
+    assert [(each.code, each.__name__) for each in aktina.Error.__subclasses__()] == _core.error_classes()
 
 
 def test_an_error_of_the_core_arrives_whole():

@@ -3,6 +3,7 @@ import numpy as np
 import pytest
 
 import aktina
+from reference.cases import ids
 
 
 def rays(count, seed):
@@ -38,7 +39,7 @@ def test_a_concave_polygon_has_its_notch():
     assert inside and not below
 
 
-@pytest.mark.parametrize("method", [method["id"] for method in aktina.methods("normals")])
+@pytest.mark.parametrize("method", ids("normals"))
 def test_a_symmetric_fan_has_its_axis_as_normal(method):
     turn = np.linspace(0, 2 * np.pi, 7)[:-1]
     rim = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1)
