@@ -1,0 +1,130 @@
+// illuminate() for many points: dispatch on model, textures and kind of light outside of the arithmetic.
+#include <algorithm>
+
+#include "aktina/illumination/illuminator.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "aktina/illumination/illuminator_simd.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include "aktina/base/simd.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aktina::HWY_NAMESPACE {
+namespace {
+
+struct V3 {
+  F x, y, z;
+};
+HWY_INLINE V3 broadcast(Vec3 v) { return {set(v.x), set(v.y), set(v.z)}; }
+HWY_INLINE V3 load3(const float* const p[3], size_t i) { return {load(p[0] + i), load(p[1] + i), load(p[2] + i)}; }
+HWY_INLINE V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+HWY_INLINE V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE V3 operator*(V3 a, F s) { return {a.x * s, a.y * s, a.z * s}; }
+HWY_INLINE F dot(V3 a, V3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+HWY_INLINE F inverse_length(F squared) { return reciprocal_sqrt(hn::Max(squared, set(1e-30f))); }
+HWY_INLINE V3 normalized(V3 v) { return v * inverse_length(dot(v, v)); }
+
+/// Unit normal, directions to light and viewer, and the cosines between them.
+struct Geometry {
+  V3 n, l, v;
+  F n_l, n_v, l_v;
+};
+
+// The models' highlights S, where n.l > 0; the formulas of their own files.
+HWY_INLINE F highlight(const Lambert&, const Geometry&, F) { return zero(); }
+HWY_INLINE F highlight(const Phong&, const Geometry& g, F exponent) {
+  return pow(hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v), exponent);  // r.v = 2 (n.l)(n.v) - l.v
+}
+HWY_INLINE F highlight(const BlinnPhong&, const Geometry& g, F exponent) {
+  const V3 h = g.l + g.v;  // not from 2 + 2 l.v, which loses its digits where light and viewer are opposite
+  return pow((g.n_l + g.n_v) * inverse_length(dot(h, h)), exponent);
+}
+
+/// Unit direction to a lamp and the factor on its colour there.
+struct Arrival {
+  V3 l;
+  F factor;
+};
+
+HWY_INLINE F cone_factor(const Lamp& lamp, V3 l) {
+  const F c = zero() - dot(l, broadcast(lamp.axis));
+  const F ramp = hn::Min(hn::Max(fma(c, set(lamp.ramp_scale), set(lamp.ramp_offset)), zero()), set(1.0f));
+  const F factor = hn::IfThenElseZero(c >= set(lamp.outer_cosine), ramp * ramp);
+  return lamp.exponent > 0 ? factor * pow(c, set(lamp.exponent)) : factor;
+}
+
+HWY_INLINE Arrival arrive(const Lamp& lamp, V3 x) {
+  if (lamp.distant) return {broadcast(lamp.place), set(1.0f)};
+  const V3 d = broadcast(lamp.place) - x;
+  const F squared = hn::Max(dot(d, d), set(1e-30f));
+  const F inverse = reciprocal_sqrt(squared);
+  Arrival a{d * inverse, inverse * inverse};
+  if (!lamp.inverse_square) {
+    const Attenuation& f = lamp.attenuation;
+    const F distance = squared * inverse;
+    const F sum = fma(distance, fma(distance, set(f.a2), set(f.a1)), set(f.a0));
+    a.factor = reciprocal(hn::Max(sum, set(1e-30f)));
+    if (f.clamp) a.factor = hn::Min(a.factor, set(1.0f));
+  }
+  if (lamp.cone) a.factor = a.factor * cone_factor(lamp, a.l);
+  return a;
+}
+
+template <class Model>
+void light_points(const Model& model, const Illuminator& light, const PointArrays& points, const LitArrays& out) {
+  const SurfaceArrays* textured = points.surface;
+  const Surface& s = light.surface();
+  const Rgb ambient = light.ambient();
+  for (size_t i = 0; i < padded(points.count); i += kPart) {
+    const V3 x = load3(points.position, i), n = normalized(load3(points.normal, i));
+    const V3 v = light.viewer().distant ? broadcast(light.viewer().at) : normalized(broadcast(light.viewer().at) - x);
+    const F n_v = dot(n, v);
+    const F exponent = hn::Max(textured ? load(textured->exponent + i) : set(s.exponent), zero());
+    F diffuse[3] = {zero(), zero(), zero()}, specular[3] = {zero(), zero(), zero()};
+    for (const Lamp& lamp : light.lamps()) {
+      const Arrival a = arrive(lamp, x);
+      const Geometry g{n, a.l, v, dot(n, a.l), n_v, dot(a.l, v)};
+      const F lit = hn::IfThenElseZero(g.n_l > zero(), a.factor);
+      const F shine = lit * highlight(model, g, exponent), glow = lit * g.n_l;
+      for (int k = 0; k < 3; ++k) {
+        diffuse[k] = fma(glow, set(lamp.colour[k]), diffuse[k]);
+        specular[k] = fma(shine, set(lamp.colour[k]), specular[k]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      const F ka = textured ? load(textured->ka[k] + i) : set(s.ka[k]);
+      const F kd = textured ? load(textured->kd[k] + i) : set(s.kd[k]);
+      const F ks = textured ? load(textured->ks[k] + i) : set(s.ks[k]);
+      store(fma(diffuse[k], kd, ka * set(ambient[k])), out.diffuse[k] + i);
+      store(specular[k] * ks, out.specular[k] + i);
+    }
+  }
+}
+
+void LightPoints(const Illuminator& light, const PointArrays& points, const LitArrays& out) {
+  std::visit([&](const auto& model) { light_points(model, light, points, out); }, light.model());
+}
+
+}  // namespace
+}  // namespace aktina::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aktina {
+
+HWY_EXPORT(LightPoints);
+
+Illuminator::Illuminator(const IlluminationModel& model, const Surface& surface, std::span<const Light> lights,
+                         Rgb ambient, const Viewer& viewer)
+    : model_(model), surface_(surface), ambient_(ambient), viewer_(viewer) {
+  for (const Light& light : lights) lamps_.push_back(lamp(light));
+}
+
+void Illuminator::evaluate(const PointArrays& points, const LitArrays& out) const {
+  HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
+}
+
+}  // namespace aktina
+#endif

@@ -1,0 +1,147 @@
+#include "aktina/illumination/illuminator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "aktina/base/random.h"
+
+namespace aktina {
+namespace {
+
+constexpr size_t kPoints = 64;
+
+struct alignas(64) Arrays {
+  float position[3][kPoints], normal[3][kPoints], ka[3][kPoints], kd[3][kPoints], ks[3][kPoints], exponent[kPoints];
+  float diffuse[3][kPoints], specular[3][kPoints];
+  PointArrays points(const SurfaceArrays* surface) const {
+    return {kPoints, {position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}, surface};
+  }
+  SurfaceArrays surface() const {
+    return {{ka[0], ka[1], ka[2]}, {kd[0], kd[1], kd[2]}, {ks[0], ks[1], ks[2]}, exponent};
+  }
+  LitArrays lit() { return {{diffuse[0], diffuse[1], diffuse[2]}, {specular[0], specular[1], specular[2]}}; }
+};
+
+Vec3 direction(Pcg32& random) {
+  const float z = 2 * random.uniform() - 1, phi = 6.2831853f * random.uniform(), r = std::sqrt(1 - z * z);
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+Vec3 vector(Pcg32& random, float size) {
+  return size * Vec3(random.uniform() - 0.5f, random.uniform() - 0.5f, random.uniform() - 0.5f);
+}
+Rgb colour(Pcg32& random) { return {random.uniform(), random.uniform(), random.uniform()}; }
+
+Attenuation attenuation(Pcg32& random) {
+  switch (random.next() % 3) {
+    case 0:
+      return {};
+    case 1:
+      return {random.uniform(), random.uniform(), random.uniform(), true};
+    default:
+      return {0.1f + random.uniform(), random.uniform(), random.uniform(), false};
+  }
+}
+
+Light light(Pcg32& random, size_t kind) {
+  const Point3 position = vector(random, 10);
+  const Rgb c = colour(random) * 50;
+  switch (kind) {
+    case 0:
+      return PointLight{position, Intensity(c), attenuation(random)};
+    case 1:
+      return DirectionalLight{direction(random), Irradiance(c)};
+    default: {
+      SpotLight spot;
+      spot.position = position, spot.direction = direction(random), spot.intensity = Intensity(c);
+      spot.outer_angle = 0.1f + 1.4f * random.uniform();
+      spot.inner_angle = random.next() % 2 ? spot.outer_angle : spot.outer_angle * 0.8f * random.uniform();
+      spot.exponent = random.next() % 2 ? 0 : 20 * random.uniform();
+      spot.attenuation = attenuation(random);
+      return spot;
+    }
+  }
+}
+
+/// Whether a rounding decides on which side of the edge of a hard cone a point lies.
+bool on_cone_edge(const Light& light, Point3 x) {
+  const auto* spot = std::get_if<SpotLight>(&light);
+  return spot && std::abs(dot(normalize(x - spot->position), spot->direction) - std::cos(spot->outer_angle)) < 1e-5f;
+}
+
+/// Every model under every kind of light, against the readable form, at random points.
+class IlluminatorTest : public testing::TestWithParam<std::tuple<size_t, size_t, bool>> {};
+
+TEST_P(IlluminatorTest, AgreesWithTheScalarEquation) {
+  const auto [model_index, light_kind, textured] = GetParam();
+  const auto* row = illumination_models()[model_index];
+  const IlluminationModel model = row->make(ParamSet(row->info));
+  Pcg32 random(17 + model_index, light_kind);
+  Arrays a;
+  for (int round = 0; round < 200; ++round) {
+    Surface surface;
+    surface.ka = colour(random), surface.kd = colour(random), surface.ks = colour(random);
+    surface.exponent = std::exp2(10 * random.uniform()) - 1;
+    const Light lights[] = {light(random, light_kind), light(random, light_kind)};
+    const Rgb ambient = colour(random);
+    const Viewer viewer = random.next() % 2 ? Viewer{vector(random, 10), false} : Viewer{direction(random), true};
+    for (size_t i = 0; i < kPoints; ++i) {
+      const Vec3 x = vector(random, 4), n = direction(random) * (0.5f + random.uniform());
+      const Rgb ka = colour(random), kd = colour(random), ks = colour(random);
+      for (int k = 0; k < 3; ++k) {
+        a.position[k][i] = x[k], a.normal[k][i] = n[k];
+        a.ka[k][i] = ka[k], a.kd[k][i] = kd[k], a.ks[k][i] = ks[k];
+      }
+      a.exponent[i] = 100 * random.uniform();
+    }
+    const SurfaceArrays arrays = a.surface();
+    Illuminator(model, surface, lights, ambient, viewer).evaluate(a.points(textured ? &arrays : nullptr), a.lit());
+    for (size_t i = 0; i < kPoints; ++i) {
+      const Point3 x{a.position[0][i], a.position[1][i], a.position[2][i]};
+      if (on_cone_edge(lights[0], x) || on_cone_edge(lights[1], x)) continue;
+      const Vec3 n = normalize(Vec3(a.normal[0][i], a.normal[1][i], a.normal[2][i]));
+      if (textured) {
+        for (int k = 0; k < 3; ++k) surface.ka[k] = a.ka[k][i], surface.kd[k] = a.kd[k][i], surface.ks[k] = a.ks[k][i];
+        surface.exponent = a.exponent[i];
+      }
+      const Lit expected = illuminate(model, surface, lights, ambient, x, n, viewer.towards(x));
+      const float steep = std::holds_alternative<SpotLight>(lights[0]) ? 2e-4f : 2e-5f;  // the edge of a narrow cone
+      const float relative =
+          steep + 2e-5f + 1e-6f * surface.exponent;  // a power n amplifies the error of its cosine n times
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_NEAR(a.diffuse[k][i], expected.diffuse[k], steep * (1e-2f + expected.diffuse[k])) << row->info.id;
+        ASSERT_NEAR(a.specular[k][i], expected.specular[k], relative * (1e-2f + expected.specular[k])) << row->info.id;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ModelsLightsTextures, IlluminatorTest,
+                         testing::Combine(testing::Range(size_t(0), illumination_models().size()),
+                                          testing::Range(size_t(0), lights().size()), testing::Bool()));
+
+TEST(Illuminator, IsFiniteWhereGeometryDegenerates) {
+  Arrays a{};
+  for (size_t i = 0; i < kPoints; ++i) {
+    a.normal[2][i] = i % 2 ? 1.0f : 0.0f;  // zero normals
+    a.position[0][i] = i % 4 < 2 ? 0 : 1;  // the lamp's own place, and the viewer's
+  }
+  for (const auto* row : illumination_models())
+    for (const float exponent : {0.0f, -3.0f, 1e6f}) {
+      Surface surface;
+      surface.ks = Rgb(1), surface.exponent = exponent;
+      SpotLight closed, open;
+      closed.outer_angle = 0, open.outer_angle = float(kPi);
+      const Light lights[] = {PointLight{}, closed, open, DirectionalLight{}};
+      Illuminator(row->make(ParamSet(row->info)), surface, lights, Rgb(1), {{1, 0, 0}, false})
+          .evaluate(a.points(nullptr), a.lit());
+      for (size_t i = 0; i < kPoints; ++i)
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_TRUE(std::isfinite(a.diffuse[k][i])) << row->info.id << " " << exponent << " " << i;
+          EXPECT_TRUE(std::isfinite(a.specular[k][i])) << row->info.id << " " << exponent << " " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace aktina
