@@ -12,11 +12,11 @@ namespace aktina {
 /// product of their Pluecker coordinates). Triangles that share an edge get exactly opposite values for it, so no ray
 /// slips between them.
 struct SoupTriangle {
-  float edge[3][3];    // opposite to vertex k: from vertex k + 1 to vertex k + 2
-  float moment[3][3];  // edge x (sum of its two ends)
-  float normal[3];     // cross product of two edges; its length is twice the area
-  float offset;        // normal . vertex 0
-  float side;          // -1 where the instance mirrors its mesh: the front is on the other side of `normal`
+  Vec3 edge[3];    // opposite to vertex k: from vertex k + 1 to vertex k + 2
+  Vec3 moment[3];  // edge x (sum of its two ends)
+  Vec3 normal;     // cross product of two edges; its length is twice the area
+  float offset;    // normal . vertex 0
+  float side;      // -1 where the instance mirrors its mesh: the front is on the other side of `normal`
   uint32_t triangle, instance;
 };
 

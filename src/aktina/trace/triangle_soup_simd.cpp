@@ -22,7 +22,7 @@ struct Rays {
   F origin[3], direction[3], moment[3];  // moment: 2 origin x direction
   F near, far;
 
-  Rays(const RayPacket& packet, size_t first, Point3 centre) {
+  HWY_INLINE Rays(const RayPacket& packet, size_t first, Point3 centre) {
     for (int k = 0; k < 3; ++k) {
       origin[k] = hn::Load(f32, packet.origin[k] + first) - hn::Set(f32, centre[k]);
       direction[k] = hn::Load(f32, packet.direction[k] + first);
@@ -37,22 +37,21 @@ struct Rays {
   }
 };
 
-F dot(const F a[3], const float b[3]) {
+HWY_INLINE F dot(const F (&a)[3], Vec3 b) {
   return hn::MulAdd(a[0], hn::Set(f32, b[0]), hn::MulAdd(a[1], hn::Set(f32, b[1]), a[2] * hn::Set(f32, b[2])));
 }
 
-/// Which rays meet the triangle, where, and the weights (times `sum`) of vertices 1 and 2.
+/// Which rays meet the triangle, and where.
 struct Meeting {
   hn::Mask<Tag> hit;
-  F t, w1, w2, sum;
+  F t;
 
-  Meeting(const Rays& rays, const SoupTriangle& triangle) {
+  HWY_INLINE Meeting(const Rays& rays, const SoupTriangle& triangle) {
     F w[3];
     for (int k = 0; k < 3; ++k) w[k] = dot(rays.direction, triangle.moment[k]) - dot(rays.moment, triangle.edge[k]);
     const F zero = hn::Zero(f32);
     const F least = hn::Min(hn::Min(w[0], w[1]), w[2]), most = hn::Max(hn::Max(w[0], w[1]), w[2]);
-    w1 = w[1], w2 = w[2];
-    sum = w[0] + w[1] + w[2];  // -2 normal . direction
+    const F sum = w[0] + w[1] + w[2];  // -2 normal . direction
     const F height = hn::Set(f32, triangle.offset) - dot(rays.origin, triangle.normal);
     t = height * hn::Set(f32, -2.0f) / sum;
     // All weights of one sign: from either side. sum = 0 (a ray in the plane) gives an infinite or undefined t: no hit.
@@ -61,33 +60,18 @@ struct Meeting {
 };
 
 void IntersectPacket(const SoupTriangle* triangles, size_t count, Point3 centre, const RayPacket& packet,
-                     uint32_t lanes, HitPacket& hits) {
+                     uint32_t lanes, float* distance, int32_t* index) {
   for (size_t first = 0; first < size_t(kPacket); first += hn::Lanes(f32)) {
     if ((lanes >> first & ((1U << hn::Lanes(f32)) - 1)) == 0) continue;
     Rays rays(packet, first, centre);
-    F w1 = hn::Zero(f32), w2 = hn::Zero(f32), sum = hn::Set(f32, 1);
     auto nearest = hn::Set(i32, -1);
     for (size_t i = 0; i < count; ++i) {
       const Meeting m(rays, triangles[i]);
-      if (hn::AllFalse(f32, m.hit)) continue;
       rays.far = hn::IfThenElse(m.hit, m.t, rays.far);
-      w1 = hn::IfThenElse(m.hit, m.w1, w1), w2 = hn::IfThenElse(m.hit, m.w2, w2);
-      sum = hn::IfThenElse(m.hit, m.sum, sum);
       nearest = hn::IfThenElse(hn::RebindMask(i32, m.hit), hn::Set(i32, int32_t(i)), nearest);
     }
-    HWY_ALIGN float t[kPacket], u[kPacket], v[kPacket];
-    HWY_ALIGN int32_t index[kPacket];
-    hn::Store(rays.far, f32, t), hn::Store(w1 / sum, f32, u), hn::Store(w2 / sum, f32, v);
-    hn::Store(nearest, i32, index);
-    for (size_t i = 0; i < hn::Lanes(f32); ++i) {
-      if ((lanes >> (first + i) & 1) == 0) continue;
-      Hit hit;
-      if (index[i] >= 0) {
-        const SoupTriangle& s = triangles[index[i]];
-        hit = {t[i], s.side * Vec3(s.normal[0], s.normal[1], s.normal[2]), u[i], v[i], s.triangle, s.instance};
-      }
-      hits.set(int(first + i), hit);
-    }
+    hn::Store(rays.far, f32, distance + first);
+    hn::Store(nearest, i32, index + first);
   }
 }
 
@@ -120,8 +104,6 @@ namespace aktina {
 namespace {
 HWY_EXPORT(IntersectPacket);
 HWY_EXPORT(OccludedPacket);
-
-void store(float to[3], Vec3 from) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 }  // namespace
 
 void TriangleSoup::add(Point3 a, Point3 b, Point3 c, float side, uint32_t triangle, uint32_t instance) {
@@ -139,12 +121,11 @@ void TriangleSoup::finish() {
     const Point3 p[3] = {c.p[0] - centre_, c.p[1] - centre_, c.p[2] - centre_};
     for (int k = 0; k < 3; ++k) {
       const Point3 from = p[(k + 1) % 3], to = p[(k + 2) % 3];
-      store(t.edge[k], to - from);
-      store(t.moment[k], cross(to - from, to + from));
+      t.edge[k] = to - from;
+      t.moment[k] = cross(to - from, to + from);
     }
-    const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
-    store(t.normal, normal);
-    t.offset = dot(normal, p[0]);
+    t.normal = cross(p[1] - p[0], p[2] - p[0]);
+    t.offset = dot(t.normal, p[0]);
     t.side = c.side, t.triangle = c.triangle, t.instance = c.instance;
     triangles_.push_back(t);
   }
@@ -152,7 +133,24 @@ void TriangleSoup::finish() {
 }
 
 void TriangleSoup::intersect(const RayPacket& rays, uint32_t lanes, HitPacket& hits) const {
-  HWY_DYNAMIC_DISPATCH(IntersectPacket)(triangles_.data(), triangles_.size(), centre_, rays, lanes, hits);
+  alignas(64) float distance[kPacket];
+  alignas(64) int32_t index[kPacket];
+  HWY_DYNAMIC_DISPATCH(IntersectPacket)
+  (triangles_.data(), triangles_.size(), centre_, rays, lanes, distance, index);
+  for (uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+    const int lane = __builtin_ctz(rest);
+    Hit hit;
+    if (index[lane] >= 0) {
+      const Ray ray = rays.at(lane);
+      const SoupTriangle& s = triangles_[size_t(index[lane])];
+      const Vec3 moment = 2.0f * cross(ray.origin - centre_, ray.direction);
+      float w[3];
+      for (int k = 0; k < 3; ++k) w[k] = dot(ray.direction, s.moment[k]) - dot(moment, s.edge[k]);
+      const float scale = 1 / (w[0] + w[1] + w[2]);
+      hit = {distance[lane], s.side * s.normal, w[1] * scale, w[2] * scale, s.triangle, s.instance};
+    }
+    hits.set(lane, hit);
+  }
 }
 
 uint32_t TriangleSoup::occluded(const RayPacket& rays, uint32_t lanes) const {

@@ -23,7 +23,8 @@ class Accelerator {
   /// @throws Error bad_input (an index beyond the vertices)
   virtual void build(const Scene& scene) = 0;
 
-  /// Nearest hits of the lanes whose bit is set; the others are left alone. Both sides of a surface count. Of hits at
+  /// Nearest hits of the lanes whose bit is set; the others are left alone. A lane that meets nothing gets an infinite
+  /// distance and the instance kNothing; its other fields have no meaning. Both sides of a surface count. Of hits at
   /// exactly the same distance any may be given, but always the same one for the same packet.
   virtual void intersect(const RayPacket& rays, uint32_t lanes, HitPacket& hits, Coherence coherence) const = 0;
   /// Bits of the lanes that meet anything between near and far.

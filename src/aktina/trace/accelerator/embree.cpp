@@ -125,7 +125,7 @@ class Embree final : public Accelerator {
   template <int N>
   uint32_t occluded_by(const RayPacket& rays, uint32_t lanes, Coherence coherence) const;
   template <int N>
-  void store(const RTCRayHitNt<N>& from, uint32_t lanes, HitPacket& hits, int first) const;
+  void store(RTCRayHitNt<N>& from, uint32_t lanes, HitPacket& hits, int first) const;
 
   Device device_;
   bool native16_ = false;
@@ -232,20 +232,29 @@ void Embree::build(const Scene& scene) {
 }
 
 template <int N>
-void Embree::store(const RTCRayHitNt<N>& from, uint32_t lanes, HitPacket& hits, int first) const {
-  for (int i = 0; i < N; ++i) {
-    if ((lanes >> i & 1) == 0) continue;
-    Hit hit;
-    if (from.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) {
-      const uint32_t placed = from.hit.instID[0][i];
-      hit.instance = placed != RTC_INVALID_GEOMETRY_ID ? placed : from.hit.geomID[i];
-      hit.distance = from.ray.tfar[i];
-      hit.normal = {from.hit.Ng_x[i], from.hit.Ng_y[i], from.hit.Ng_z[i]};
-      if (normals_turn_) hit.normal = normal_to_world_[hit.instance] * hit.normal;
-      hit.u = from.hit.u[i], hit.v = from.hit.v[i], hit.triangle = from.hit.primID[i];
-    }
-    hits.set(first + i, hit);
+void Embree::store(RTCRayHitNt<N>& from, uint32_t lanes, HitPacket& hits, int first) const {
+  static_assert(RTC_INVALID_GEOMETRY_ID == kNothing);
+  RTCHitNt<N>& hit = from.hit;
+  uint32_t instance[N];
+  float distance[N];
+  for (int i = 0; i < N; ++i) instance[i] = hit.instID[0][i] != kNothing ? hit.instID[0][i] : hit.geomID[i];
+  for (int i = 0; i < N; ++i) distance[i] = hit.geomID[i] == kNothing ? kInfinity : from.ray.tfar[i];
+  for (int i = 0; i < N && normals_turn_; ++i) {
+    if (instance[i] == kNothing) continue;
+    const Vec3 normal = normal_to_world_[instance[i]] * Vec3(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]);
+    hit.Ng_x[i] = normal.x, hit.Ng_y[i] = normal.y, hit.Ng_z[i] = normal.z;
   }
+  const auto copy = [lanes, first](auto* to, const auto* values) {
+    if (lanes == (1U << N) - 1) {
+      std::memcpy(to + first, values, N * sizeof(*to));
+    } else {
+      for (int i = 0; i < N; ++i)
+        if (lanes >> i & 1) to[first + i] = values[i];
+    }
+  };
+  copy(hits.distance, distance), copy(hits.instance, instance), copy(hits.triangle, hit.primID);
+  copy(hits.normal[0], hit.Ng_x), copy(hits.normal[1], hit.Ng_y), copy(hits.normal[2], hit.Ng_z);
+  copy(hits.u, hit.u), copy(hits.v, hit.v);
 }
 
 template <int N>
