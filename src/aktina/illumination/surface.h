@@ -12,12 +12,13 @@ struct Surface {
   // his S stands) and the transmitted ray; Phong's exponent
   Rgb ka{1}, kd{0.5f}, ks{0}, kr{0}, kt{0};
   float exponent = 1;
-  // physically based: glTF's metallic-roughness, KHR_materials_specular, KHR_materials_ior
+  // physically based: glTF's metallic-roughness, KHR_materials_specular, KHR_materials_ior, KHR_materials_transmission
   Rgb base{0.5f};
   float metallic = 0, roughness = 1;
   float ior = 1.5f;           // index of refraction, inside over outside
   Rgb specular_tint{1};       // KHR_materials_specular: colour at normal incidence
   float specular_weight = 1;  // KHR_materials_specular: strength
+  float transmission = 0;     // share of the light that enters and is not scattered back, but passes
 };
 
 /// BRDF value without the cosine, sr^-1, apart by lobe: the diffuse part is what a base texture multiplies and what

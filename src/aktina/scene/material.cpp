@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aktina/illumination/ggx.h"
 #include "aktina/scene/scene.h"
 
 namespace aktina {
@@ -21,23 +22,16 @@ float phong_exponent(float roughness) {
 }
 float squared_alpha(float exponent) { return 1 / (2 * std::max(exponent, 0.0f) + 1); }
 
-/// Reflectance at normal incidence. glTF 2.0 appendix B; KHR_materials_ior; KHR_materials_specular.
-Rgb normal_reflectance(const Surface& s) {
-  const float dielectric = (s.ior - 1) * (s.ior - 1) / ((s.ior + 1) * (s.ior + 1));
-  const Rgb f0 = clamp_unit(s.specular_tint * dielectric) * s.specular_weight;
-  return clamp_unit(f0 * (1 - s.metallic) + s.base * s.metallic);
-}
-
 /// Fills the classic coefficients from the physical ones.
-void derive_classic(Surface& s, float transmission) {
-  const Rgb f0 = normal_reflectance(s);
+void derive_classic(Surface& s) {
+  const Rgb f0 = clamp_unit(dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic);
   const Rgb body = s.base * (1 - s.metallic);
   s.exponent = phong_exponent(s.roughness);
-  s.kd = clamp_unit(body * (1 - transmission));
+  s.kd = clamp_unit(body * (1 - s.transmission));
   s.ka = s.kd;
   s.ks = clamp_unit(f0 * (0.25f / squared_alpha(s.exponent)));
   s.kr = f0 * std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
-  s.kt = clamp_unit(body * transmission * (Rgb(1) - f0));
+  s.kt = clamp_unit(body * s.transmission * (Rgb(1) - f0));
 }
 
 void state_classic(Surface& s, const ClassicMaterial& c, Rgb tint) {
@@ -50,6 +44,7 @@ Surface physical(const Material& m) {
   s.base = m.base_colour;
   s.metallic = m.metallic, s.roughness = m.roughness, s.ior = m.ior;
   s.specular_tint = m.specular_tint, s.specular_weight = m.specular_weight;
+  s.transmission = m.transmission;
   return s;
 }
 
@@ -65,7 +60,7 @@ Rgb rgb(Vec4 v) { return {v.x, v.y, v.z}; }
 
 Surface surface_of(const Material& material) {
   Surface s = physical(material);
-  derive_classic(s, material.transmission);
+  derive_classic(s);
   if (material.classic) state_classic(s, *material.classic, Rgb(1));
   return s;
 }
@@ -76,7 +71,6 @@ MaterialPoint evaluate(const Scene& scene, const Material& m, const Vec2 uv[2], 
   };
   const Vec4 base = read(m.base_texture, true) * colour;
   const Vec4 metallic_roughness = read(m.metallic_roughness_texture, false);
-  const float transmission = m.transmission * read(m.transmission_texture, false).x;
 
   MaterialPoint point;
   Surface& s = point.surface;
@@ -85,7 +79,8 @@ MaterialPoint evaluate(const Scene& scene, const Material& m, const Vec2 uv[2], 
   s.metallic *= metallic_roughness.z, s.roughness *= metallic_roughness.y;
   s.specular_weight *= read(m.specular_texture, false).w;
   s.specular_tint *= rgb(read(m.specular_tint_texture, true));
-  derive_classic(s, transmission);
+  s.transmission *= read(m.transmission_texture, false).x;
+  derive_classic(s);
   if (m.classic) state_classic(s, *m.classic, rgb(base));
 
   point.alpha = visible_alpha(m, m.alpha * base.w);
@@ -93,7 +88,7 @@ MaterialPoint evaluate(const Scene& scene, const Material& m, const Vec2 uv[2], 
   if (m.unlit) {
     point.emission = Radiance(s.base);
     s.ka = s.kd = s.ks = s.kr = s.kt = s.base = Rgb(0);
-    s.specular_weight = 0;
+    s.specular_weight = s.transmission = 0;
   }
   return point;
 }
