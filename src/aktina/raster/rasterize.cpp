@@ -141,11 +141,11 @@ void draw(RasterFrame& f, const Mesh& mesh, const Instance& instance, const Mate
           if (plan.kind == ShadingPlan::Kind::attributes) {
             alignas(64) float position[3][kLanes], d[3][kLanes], sp[3][kLanes];
             for (int a = 0; a < 3; ++a) position[a][0] = p[a];
-            SurfaceArrays arrays;
+            alignas(64) float ka[3][kLanes], kd[3][kLanes], ks[3][kLanes], exponent[kLanes];
             for (int a = 0; a < 3; ++a)
-              arrays.ka[a] = &point.surface.ka.r + a, arrays.kd[a] = &point.surface.kd.r + a,
-              arrays.ks[a] = &point.surface.ks.r + a;
-            arrays.exponent = &point.surface.exponent;
+              ka[a][0] = point.surface.ka[a], kd[a][0] = point.surface.kd[a], ks[a][0] = point.surface.ks[a];
+            exponent[0] = point.surface.exponent;
+            const SurfaceArrays arrays{{ka[0], ka[1], ka[2]}, {kd[0], kd[1], kd[2]}, {ks[0], ks[1], ks[2]}, exponent};
             const float* pointers[8];
             for (int c = 0; c < 8; ++c) pointers[c] = channel[c];
             f.method->shade({1, pointers, {position[0], position[1], position[2]}, &arrays}, white,

@@ -1,0 +1,60 @@
+// A scene -> the light on its surfaces: the front of meshers, form factors and solvers.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "aktina/base/progress.h"
+#include "aktina/image/image.h"
+#include "aktina/radiosity/solution.h"
+#include "aktina/scene/scene.h"
+
+namespace aktina {
+
+struct RadiosityOptions {
+  std::string solver = "progressive";   // "METHOD" or "METHOD:parameter=number,...", as solvers() lists them
+  std::string formfactor = "ray_cast";  // as formfactors() lists them
+  std::string mesher = "uniform";       // as meshers() lists them
+  double patch_size = 0;                // m, longest edge; 0: chosen from the scene's size
+  double tolerance = 1e-3;              // stop when the unshot flux is below this share of the emitted
+  uint64_t most_steps = 0;              // 0: no limit
+  uint64_t most_patches = 2'000'000;    // more are refused before memory is taken
+  uint32_t seed = 0;
+  /// Called after each step with the solution so far (patch values; vertices are not reconstructed yet), to watch it
+  /// converge. With `ambient` the displayed radiosity of a patch is B + rho `ambient` (Cohen et al. 1988).
+  struct Step {
+    uint64_t step;
+    double unshot;  // as Solution::unshot
+    Radiosity ambient;
+    const Solution* solution;
+  };
+  std::function<void(const Step&)> each_step;
+};
+
+/// Light sources are emissive surfaces, and the scene's point, spot, directional and environment lights (as direct
+/// illuminance with shadow rays). What is done when `progress` is cancelled is returned, with converged = false.
+/// The same bytes for any number of threads.
+/// @throws Error usage, bad_param, no_such_method, limit; bad_input (reflectance 1 and above, no emitter)
+Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options = {}, Progress* progress = nullptr);
+
+/// The scene as any viewer shows it without computing light: each instance's mesh cut into its patches, H / pi (cd/m^2)
+/// as vertex colours on unlit materials that keep their base texture; emissive surfaces carry their own radiance. Names,
+/// nodes, cameras and lights stay. What write_lit_gltf() writes and render_solution() draws.
+Scene lit_scene(const Scene& scene, const Solution& solution);
+
+/// The solution seen from a camera, by the rasterizer: linear radiance, cd/m^2. Base textures stay sharp: the
+/// interpolated irradiance multiplies them pixel by pixel.
+LayeredImage render_solution(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height,
+                             int samples = 4, Progress* progress = nullptr);
+
+/// Two passes: radiosity for the light between diffuse surfaces, rays for shadows of direct light, mirrors and glass.
+/// J. Wallace, M. Cohen, D. Greenberg, "A Two-pass Solution to the Rendering Equation", SIGGRAPH 1987.
+struct TwoPassOptions {
+  int samples = 16;  // per pixel
+  uint32_t seed = 0;
+  std::function<void(const LayeredImage& picture, int samples)> each_pass;
+};
+LayeredImage render_two_pass(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height,
+                             const TwoPassOptions& options = {}, Progress* progress = nullptr);
+
+}  // namespace aktina
