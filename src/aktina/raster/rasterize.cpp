@@ -8,7 +8,7 @@
 #include "aktina/base/error.h"
 #include "aktina/image/file_format.h"
 #include "aktina/raster/clip.h"
-#include "aktina/raster/scene_lights.h"
+#include "aktina/scene/scene_lights.h"
 #include "aktina/raster/shading/shading_method.h"
 
 namespace aktina {

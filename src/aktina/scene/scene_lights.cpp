@@ -1,4 +1,4 @@
-#include "aktina/raster/scene_lights.h"
+#include "aktina/scene/scene_lights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,23 @@ struct Emitter {
   Vec3d centre{0}, normal{0};  // times the area
   Rgb radiance;
   bool both_sides = false;
+  int instance = -1;
   double power() const { return area * double(luminance(radiance)); }
 };
 
-Emitter emitter_of(const Scene& scene, const Instance& instance, const Material& material) {
+Emitter emitter_of(const Scene& scene, size_t index, const Material& material) {
+  const Instance& instance = scene.instances[index];
   Emitter e;
   e.radiance = material.emission.v;
   e.both_sides = material.double_sided;
-  if (instance.mesh < 0) return e;
-  const Mesh& mesh = scene.meshes[size_t(instance.mesh)];
+  e.instance = int(index);
+  if (instance.mesh < 0 && instance.primitive < 0) return e;
+  Mesh tessellated;
+  if (instance.mesh < 0) {
+    const Primitive& shape = scene.primitives[size_t(instance.primitive)];
+    tessellated = tessellate(shape, 1e-2f * bounds(shape).diagonal());
+  }
+  const Mesh& mesh = instance.mesh < 0 ? tessellated : scene.meshes[size_t(instance.mesh)];
   for (const auto& t : mesh.triangles) {
     Vec3d p[3];
     for (size_t v = 0; v < 3; ++v) p[v] = transform_point(instance.to_world, mesh.positions[t[v]]);
@@ -81,15 +89,19 @@ SceneLights scene_lights(const Scene& scene) {
   SceneLights out;
   for (const PlacedLight& placed : scene.lights) out.lights.push_back(placed.light);
   std::vector<Emitter> emitters;
-  for (const Instance& instance : scene.instances) {
-    const Material& material = scene.material_of(instance);
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const Material& material = scene.material_of(scene.instances[i]);
     if (!material.emits() || material.unlit) continue;
-    const Emitter e = emitter_of(scene, instance, material);
+    const Emitter e = emitter_of(scene, i, material);
     if (e.power() > 0) emitters.push_back(e);
   }
   std::stable_sort(emitters.begin(), emitters.end(),
                    [](const Emitter& a, const Emitter& b) { return a.power() > b.power(); });
-  for (size_t i = 0; i < std::min(emitters.size(), kMostEmitters); ++i) add_lamps(emitters[i], out.lights);
+  out.instance.assign(out.lights.size(), -1);
+  for (size_t i = 0; i < std::min(emitters.size(), kMostEmitters); ++i) {
+    add_lamps(emitters[i], out.lights);
+    out.instance.resize(out.lights.size(), emitters[i].instance);
+  }
   out.ambient = scene.ambient + mean_radiance(scene.environment);
   return out;
 }
