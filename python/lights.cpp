@@ -38,12 +38,32 @@ void fields_of(DirectionalLight& light, Visitor& field) {
   field("direction", light.direction);
   field("illuminance", light.e_perp);
 }
+/// Its table is spread out: angles "c" and "gamma" in degrees, "candela" of each, plane by plane.
+template <class Visitor>
+void fields_of(LuminaireLight& light, Visitor& field) {
+  PhotometricTable table = light.table ? *light.table : PhotometricTable{{0}, {0, 180}, {1, 1}};
+  field("position", light.position);
+  field("direction", light.direction);
+  field("c0", light.c0);
+  field("colour", light.colour);
+  if constexpr (std::is_same_v<Visitor, FromDict>) table = {};
+  field("c", table.c);
+  field("gamma", table.gamma);
+  field("candela", table.candela);
+  if (table.candela.empty()) return;
+  check(table);
+  light.table = std::make_shared<const PhotometricTable>(std::move(table));
+}
 
 void normalize_direction(PointLight& /*light*/) {}
 template <class L>
 void normalize_direction(L& light) {
   light.direction = normalize_or(light.direction, Vec3(0));
   if (light.direction == Vec3(0)) throw Error(Code::bad_param, "light.direction", "has no length");
+  if constexpr (std::is_same_v<L, LuminaireLight>) {
+    light.c0 = normalize_or(light.c0 - dot(light.c0, light.direction) * light.direction, Vec3(0));
+    if (light.c0 == Vec3(0)) throw Error(Code::bad_param, "light.c0", "does not point across the direction");
+  }
 }
 
 /// The row of lights() whose product is the alternative that `light` holds.

@@ -10,7 +10,8 @@ def irradiance(light, points, normals):
 
     light : dictionary. {"type": "point", "position", "intensity"}, {"type": "spot", "position", "direction" (out of
         the lamp), "intensity", "inner_angle", "outer_angle" (rad, from the axis), "exponent"} or {"type": "directional",
-        "direction" (of travel), "illuminance"}. Intensities in cd; a point or spot light may have "attenuation", the
+        "direction" (of travel), "illuminance"} or {"type": "luminaire", "position", "direction" (gamma = 0), "c0"
+        (gamma = 90 in plane C0), "colour", "c", "gamma" (degrees), "candela" (plane by plane)}. Intensities in cd; a point or spot light may have "attenuation", the
         (a0, a1, a2) of 1 / (a0 + a1 d + a2 d^2), which is (0, 0, 1) unless stated, and "clamp". Lights of a scene fit.
     points, normals : (..., 3), m; unit.
     Returns (..., 3) float32, lx.

@@ -43,6 +43,13 @@ Attenuation attenuation(Pcg32& random) {
   }
 }
 
+LuminaireLight luminaire(Pcg32& random, Point3 position, Rgb colour) {
+  PhotometricTable table{{0, 90, 210, 360}, {0, 20, 60, 90, 120, 180}, {}};
+  for (size_t i = 0; i < 24; ++i) table.candela.push_back(random.uniform());
+  const Vec3 axis = direction(random);
+  return {position, axis, Frame(axis).t, colour, std::make_shared<const PhotometricTable>(std::move(table))};
+}
+
 Light light(Pcg32& random, size_t kind) {
   const Point3 position = vector(random, 10);
   const Rgb c = colour(random) * 50;
@@ -51,6 +58,8 @@ Light light(Pcg32& random, size_t kind) {
       return PointLight{position, Intensity(c), attenuation(random)};
     case 1:
       return DirectionalLight{direction(random), Irradiance(c)};
+    case 2:
+      return luminaire(random, position, c);
     default: {
       SpotLight spot;
       spot.position = position, spot.direction = direction(random), spot.intensity = Intensity(c);

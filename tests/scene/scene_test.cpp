@@ -102,5 +102,17 @@ TEST(Environment, LooksUpTheStatedDirections) {
   EXPECT_NEAR(radiance(sky, {-1, height, -1}).v.r, 2 * 2, 1e-4);
 }
 
+TEST(Scene, HashSeesWhatALuminaireMeasured) {
+  const auto table = [](float candela) {
+    return std::make_shared<const PhotometricTable>(PhotometricTable{{0}, {0, 90}, {candela, 0}});
+  };
+  Scene a, b;
+  a.lights.push_back({"lamp", LuminaireLight{.table = table(1)}, -1});
+  b.lights.push_back({"lamp", LuminaireLight{.table = table(1)}, -1});
+  EXPECT_EQ(hash(a).value(), hash(b).value()) << "by value, not by address";
+  b.lights.front().light = LuminaireLight{.table = table(2)};
+  EXPECT_NE(hash(a).value(), hash(b).value());
+}
+
 }  // namespace
 }  // namespace aktina

@@ -35,6 +35,13 @@ Lamp lamp_of(const SpotLight& light) {
   return lamp;
 }
 
+Lamp lamp_of(const LuminaireLight& light) {
+  Lamp lamp = lamp_of(PointLight{light.position, Intensity(light.colour), {}});
+  lamp.table = light.table;
+  lamp.axis = light.direction, lamp.c0 = light.c0;
+  return lamp;
+}
+
 }  // namespace
 
 Lamp lamp(const Light& light) {

@@ -70,6 +70,11 @@ void add(Hash64& hash, const SpotLight& l) {
   hash.add_value(cone);
 }
 void add(Hash64& hash, const DirectionalLight& l) { hash.add_value(l.direction), hash.add_value(l.e_perp.v); }
+void add(Hash64& hash, const LuminaireLight& l) {
+  const Vec3 place[] = {l.position, l.direction, l.c0};
+  hash.add_value(place), hash.add_value(l.colour);
+  if (l.table) add(hash, l.table->c), add(hash, l.table->gamma), add(hash, l.table->candela);
+}
 
 void add(Hash64& hash, const Camera& c) {
   const float numbers[] = {float(c.kind), c.vertical_fov, c.half_height, c.aspect, c.near, c.far};

@@ -1,6 +1,7 @@
 // Light sources as plain structs: what arrives at a point, from where.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "aktina/base/quantity.h"
 #include "aktina/base/vec.h"
 #include "aktina/illumination/light/attenuation.h"
+#include "aktina/illumination/light/photometric_table.h"
 
 namespace aktina {
 
@@ -38,15 +40,27 @@ struct SpotLight {
 
 /// Parallel light from far away.
 struct DirectionalLight {
-  Vec3 direction{0, 0, -1};       // unit, the way the light travels
-  Irradiance e_perp{Rgb(1)};      // lx on a plane facing the light
+  Vec3 direction{0, 0, -1};   // unit, the way the light travels
+  Irradiance e_perp{Rgb(1)};  // lx on a plane facing the light
 };
 
-using Light = std::variant<PointLight, SpotLight, DirectionalLight>;  // add a light: add it here and in table.cpp
+/// A point with a measured intensity for each direction. Untransformed it shines as EXT_lights_ies has it: gamma = 0
+/// towards -z, gamma = 90 in plane C0 towards +x, in plane C90 towards +y.
+struct LuminaireLight {
+  Point3 position{0};
+  Vec3 direction{0, 0, -1};                       // unit; gamma = 0
+  Vec3 c0{1, 0, 0};                               // unit, at right angles to `direction`: gamma = 90 in plane C0
+  Rgb colour{1};                                  // times the table
+  std::shared_ptr<const PhotometricTable> table;  // cd; none: 1 cd in all directions
+};
+
+using Light =
+    std::variant<PointLight, SpotLight, DirectionalLight, LuminaireLight>;  // add a light: add it here and in table.cpp
 
 LightSample sample(const PointLight& light, Point3 x);
 LightSample sample(const SpotLight& light, Point3 x);
 LightSample sample(const DirectionalLight& light, Point3 x);
+LightSample sample(const LuminaireLight& light, Point3 x);
 inline LightSample sample(const Light& light, Point3 x) {
   return std::visit([&](const auto& l) { return sample(l, x); }, light);
 }
@@ -55,6 +69,7 @@ inline LightSample sample(const Light& light, Point3 x) {
 std::optional<Flux> flux(const PointLight& light);
 std::optional<Flux> flux(const SpotLight& light);
 std::optional<Flux> flux(const DirectionalLight& light);
+std::optional<Flux> flux(const LuminaireLight& light);
 inline std::optional<Flux> flux(const Light& light) {
   return std::visit([](const auto& l) { return flux(l); }, light);
 }

@@ -3,10 +3,10 @@
 
 namespace aktina {
 
-extern const Method<Light> point_light, spot_light, directional_light;
+extern const Method<Light> point_light, spot_light, directional_light, luminaire_light;
 
 std::span<const Method<Light>* const> lights() {
-  static constexpr const Method<Light>* kTable[] = {&point_light, &spot_light, &directional_light};
+  static constexpr const Method<Light>* kTable[] = {&point_light, &spot_light, &directional_light, &luminaire_light};
   return kTable;
 }
 
