@@ -20,4 +20,5 @@ PYBIND11_MODULE(_core, m) {
   bind_illumination(m);
   bind_lights(m);
   bind_geometry(m);
+  bind_radiosity(m);
 }

@@ -12,5 +12,6 @@ void bind_geometry(py::module_& m);
 void bind_illumination(py::module_& m);
 void bind_lights(py::module_& m);
 void bind_catalogue(py::module_& m);
+void bind_radiosity(py::module_& m);
 
 }  // namespace aktina::python

@@ -11,5 +11,6 @@ from ._errors import (BadInput, BadParam, Cancelled, CheckFailed, Error, FileErr
 from ._geometry import Hits, intersect, vertex_normal
 from ._illumination import highlight, illuminate
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
+from ._radiosity import solve_radiosity
 
 __all__ = [name for name in dir() if not name.startswith("_")]

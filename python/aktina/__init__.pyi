@@ -1,4 +1,5 @@
 """Types of the package's public names; the docstrings stand in the modules."""
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -71,3 +72,13 @@ def intersect(
     shape: str, origins: ArrayLike, directions: ArrayLike, near: float = 0.0, far: float = ..., **sizes: Any
 ) -> Hits: ...
 def vertex_normal(method: str, vertex: ArrayLike, rim: ArrayLike, closed: bool = True) -> NDArray[np.float64]: ...
+
+# Radiosity.
+def solve_radiosity(
+    F: ArrayLike,
+    E: ArrayLike,
+    rho: ArrayLike,
+    method: str = "matrix",
+    tolerance: float = 1e-12,
+    progress: Callable[[str, str, int, int, float], None] | None = None,
+) -> NDArray[np.float64]: ...

@@ -1,0 +1,80 @@
+// Light between patches as an equation, in any number of bands: what every radiosity solver takes and gives.
+//
+//     B = E + rho H,     H_s = H0_s + sum_j F_sj B_j
+//
+// Receivers s are small elements; what shoots (j) are ranges of neighbouring receivers, of one or more each, that
+// shine with the mean radiosity of their members (substructuring: M. Cohen, D. Greenberg, D. Immel, P. Brock, "An
+// Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3), 1986).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "aktina/base/progress.h"
+
+namespace aktina {
+
+/// Values by receiver and band stand band by band: [receiver * bands + band].
+struct RadiosityProblem {
+  struct Range {
+    uint32_t first = 0, count = 1;
+  };
+
+  size_t bands = 3;
+  std::vector<double> weights;       // of each band in sums over bands: luminance
+  std::vector<double> areas;         // by receiver, m^2
+  std::vector<double> reflectances;  // rho, by receiver and band, in [0, 1)
+  std::vector<double> passing;       // share that goes straight on, by receiver and band; empty: none
+  std::vector<double> emissions;     // E, by receiver and band
+  std::vector<double> arriving;      // H0, from lights that are no surfaces, by receiver and band; empty: none
+  std::vector<Range> shooters;       // together all receivers, in order, each once
+
+  size_t size() const { return areas.size(); }
+  /// All of it, weighted: surfaces' own flux and what arrives from lights.
+  double emitted() const;
+  /// Each receiver shoots for itself.
+  void shoot_one_by_one();
+};
+
+/// Where a solver's form factors come from.
+class FactorSource {
+ public:
+  virtual ~FactorSource() = default;
+  /// factors[s] = F_sj: what fraction of the light that leaves receiver s arrives at shooter j, for all s. The same
+  /// values every time.
+  virtual void column(size_t shooter, std::span<double> factors) const = 0;
+};
+
+struct RadiosityState {
+  std::vector<double> irradiances;  // H, by receiver and band
+  std::vector<double> direct;       // the part of H that comes straight from lights and emitters
+  std::vector<double> unshot;       // reflected or emitted and not yet distributed
+  uint64_t steps = 0;
+  double unshot_share = 1;                        // flux not yet distributed over flux emitted
+  double emitted = 0, absorbed = 0, escaped = 0;  // weighted flux; emitted = absorbed + escaped + unshot
+  bool converged = false;
+
+  double radiosity(const RadiosityProblem& p, size_t receiver, size_t band) const {
+    const size_t k = receiver * p.bands + band;
+    return p.emissions[k] + p.reflectances[k] * irradiances[k];
+  }
+};
+
+struct SolverControl {
+  double tolerance = 1e-3;
+  uint64_t most_steps = 0;  // 0: no limit
+  Progress* progress = nullptr;
+  std::function<void(const RadiosityState&)> each_step{};
+  bool stopped(uint64_t steps) const {
+    return (progress && progress->cancelled()) || (most_steps > 0 && steps >= most_steps);
+  }
+};
+
+/// Flux that surfaces take up at the irradiances of `state`: neither reflected nor passed on.
+double absorbed_flux(const RadiosityProblem& problem, const RadiosityState& state);
+/// Flux in state.unshot.
+double unshot_flux(const RadiosityProblem& problem, const RadiosityState& state);
+
+}  // namespace aktina
