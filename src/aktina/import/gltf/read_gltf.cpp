@@ -1,0 +1,47 @@
+// glTF 2.0 (ISO/IEC 12113) -> Scene, by a mapping of our own over the parsed JSON.
+#include <fmt/format.h>
+
+#include "aktina/import/gltf/document.h"
+#include "aktina/import/gltf/materials.h"
+#include "aktina/import/gltf/nodes.h"
+#include "aktina/import/import.h"
+
+namespace aktina {
+namespace {
+
+using gltf::Document;
+using gltf::Hierarchy;
+using gltf::Value;
+
+std::vector<bool> used_meshes(const Document& document, const Hierarchy& hierarchy) {
+  const Value nodes = document.list("nodes");
+  std::vector<bool> used(document.list("meshes").size(), false);
+  for (const int node : hierarchy.source) {
+    const int mesh = nodes[size_t(node)]["mesh"].index(used.size());
+    if (mesh >= 0) used[size_t(mesh)] = true;
+  }
+  return used;
+}
+
+}  // namespace
+
+Scene read_gltf(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+                const ImportOptions& options) {
+  Document document(bytes, folder, where, options);
+  Scene scene;
+  scene.source = where;
+  scene.generator = document.root()["asset"]["generator"].text();
+  read_images(document, scene);
+  read_materials(document, scene);
+  const Hierarchy hierarchy = read_nodes(document, scene);
+  const gltf::MeshTable meshes = read_meshes(document, used_meshes(document, hierarchy), scene);
+  read_instances(document, hierarchy, meshes, scene);
+  read_cameras(document, hierarchy, scene);
+  read_lights(document, hierarchy, scene);
+  scene.warnings = document.warnings;
+  if (options.default_camera) add_default_camera(scene);
+  if (options.default_light) add_default_light(scene);
+  return scene;
+}
+
+}  // namespace aktina
