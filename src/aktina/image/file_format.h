@@ -24,8 +24,8 @@ ImageFormat detect_image_format(std::span<const uint8_t> bytes);
 struct ImageHeader {
   ImageFormat format = ImageFormat::unknown;
   int width = 0, height = 0, channels = 0;
-  int bits = 8;                            // per channel
-  std::vector<std::string> layers;         // EXR layer names
+  int bits = 8;                     // per channel
+  std::vector<std::string> layers;  // EXR layer names
 };
 
 /// @throws Error bad_input (truncated, corrupt), limit (too many pixels), unsupported
@@ -43,8 +43,9 @@ std::variant<Bitmap, Image> decode_texture(std::span<const uint8_t> bytes, const
 
 /// How a picture is written; what a format has no use for is ignored.
 struct ImageWriteOptions {
-  ToneMapping tone_mapping;                                     // PNG
-  std::vector<std::pair<std::string, std::string>> metadata;    // PNG tEXt, EXR attributes, HDR comments
+  ToneMapping tone_mapping;                                   // PNG
+  int png_bits = 8;                                           // 8 or 16
+  std::vector<std::pair<std::string, std::string>> metadata;  // PNG tEXt, EXR attributes, HDR comments
 };
 
 /// By the extension: png (tone-mapped sRGB), exr (linear half or float, layers kept), hdr, pfm.
