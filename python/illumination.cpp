@@ -1,5 +1,8 @@
 // Illumination models and lights: batches of samples.
+#include <algorithm>
+
 #include "aktina/base/parallel.h"
+#include "aktina/illumination/facets.h"
 #include "aktina/illumination/light/light.h"
 #include "aktina/illumination/model.h"
 #include "arrays.h"
@@ -83,11 +86,50 @@ void illuminate(const std::string& choice, const py::buffer& surfaces, const py:
   });
 }
 
+/// One number of the theory of facets for each angle or direction.
+void facet_distribution(const std::string& name, const py::buffer& angles, float width, const py::buffer& out) {
+  using Distribution = float (*)(float, float);
+  constexpr std::pair<std::string_view, Distribution> kDistributions[] = {{"phong", facet_phong},
+                                                                          {"gaussian", facet_gaussian},
+                                                                          {"trowbridge_reitz", facet_trowbridge_reitz},
+                                                                          {"beckmann", facet_beckmann}};
+  const auto* found = std::find_if(std::begin(kDistributions), std::end(kDistributions),
+                                   [&](const auto& row) { return row.first == name; });
+  if (found == std::end(kDistributions))
+    no_such_method("facet distribution", name, "phong, gaussian, trowbridge_reitz, beckmann");
+  const Input angle(angles, 1, "alpha");
+  const Rows<float> result(out, 1, "out");
+  for (size_t i = 0; i < result.size(); ++i) *result.row(i) = found->second(*angle.row(i), width);
+}
+
+void schlick_power_of(const py::buffer& cosines, const py::buffer& exponents, const py::buffer& out) {
+  const Input t(cosines, 1, "t"), n(exponents, 1, "exponent");
+  const Rows<float> result(out, 1, "out");
+  for (size_t i = 0; i < result.size(); ++i) *result.row(i) = schlick_power(*t.row(i), *n.row(i));
+}
+
+void groove_masking_of(const py::buffer& n, const py::buffer& l, const py::buffer& v, const py::buffer& out) {
+  const Input normal(n, 3, "n"), wi(l, 3, "l"), wo(v, 3, "v");
+  const Rows<float> result(out, 1, "out");
+  for (size_t i = 0; i < result.size(); ++i)
+    *result.row(i) = groove_masking(vec3(normal.row_or_only(i)), vec3(wi.row_or_only(i)), vec3(wo.row_or_only(i)));
+}
+
+void fresnel_of(const py::buffer& cosines, float eta, const py::buffer& out) {
+  const Input cosine(cosines, 1, "cosine");
+  const Rows<float> result(out, 1, "out");
+  for (size_t i = 0; i < result.size(); ++i) *result.row(i) = fresnel_dielectric(*cosine.row(i), eta);
+}
+
 }  // namespace
 
 void bind_illumination(py::module_& m) {
   m.def("surface_fields", &surface_fields);
   m.def("illuminate", &illuminate);
+  m.def("facet_distribution", &facet_distribution);
+  m.def("schlick_power", &schlick_power_of);
+  m.def("groove_masking", &groove_masking_of);
+  m.def("fresnel", &fresnel_of);
 }
 
 }  // namespace aktina::python

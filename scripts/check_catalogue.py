@@ -22,7 +22,7 @@ def camel(identifier):
 
 def check_family(family, keys):
     folder = root / "src/aktina" / family["folder"]
-    row = re.compile(rf"\bconst Method<[^;=]*>\s+(\w+)_{family['id']}\s*=")
+    row = re.compile(rf"\bextern constinit const \w+(?:<[^;=]*>)?\s+(\w+)_{family['id']}\s*=")
     in_files = {path.stem: row.findall(path.read_text()) for path in folder.glob("*.cpp")}
     in_files = {stem: names for stem, names in in_files.items() if names}
     for stem, names in in_files.items():

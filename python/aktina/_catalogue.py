@@ -14,7 +14,7 @@ def methods(family=None):
 
     >>> import aktina
     >>> [method["id"] for method in aktina.methods("illumination")][:2]
-    ['lambert', 'phong']
+    ['constant', 'ambient']
     """
     catalogue = json.loads(_core.catalogue_json(family or ""))
     return [{"family": row["id"], **method} for row in catalogue["families"] for method in row["methods"]]

@@ -59,6 +59,22 @@ def highlight(model, n, l, v, exponent):
     return illuminate(model, {"kd": 0, "ks": 1, "exponent": exponent}, n, l, v)[..., 0]
 
 
+def schlick_power(t, exponent):
+    """Schlick's t / (n - n t + t) in place of t^n; 0 where t is not positive.
+
+    t, exponent : (...,), t in [0, 1]; they broadcast.  Returns (...,) float32.
+    Source: schlick1994.
+
+    >>> import aktina
+    >>> float(aktina.schlick_power(0.5, 3))
+    0.25
+    """
+    t, exponent = np.broadcast_arrays(numbers("t", t, np.float32), numbers("exponent", exponent, np.float32))
+    out = np.empty(t.shape, np.float32)
+    _core.schlick_power(np.ascontiguousarray(t).reshape(-1), np.ascontiguousarray(exponent).reshape(-1), out.reshape(-1))
+    return out[()]
+
+
 def _coefficient(name, values):
     if len(_FIELDS[name]) == 3:
         return colours(name, values)

@@ -87,9 +87,7 @@ TEST(Ggx, MetalReflectsNoMoreThanArrives) {
     for (const float theta : {0.1f, 0.8f, 1.45f}) {
       s.roughness = roughness;
       const Vec3 wo = direction(theta, 0.3f);
-      const double albedo = integrate([&](Vec3 wi) {
-        return GgxMetallicRoughness{}.brdf(s, {0, 0, 1}, wi, wo).total().g * wi.z;
-      });
+      const double albedo = integrate([&](Vec3 wi) { return Ggx{}.brdf(s, {0, 0, 1}, wi, wo).total().g * wi.z; });
       EXPECT_LT(albedo, 1.002) << roughness << " " << theta;
       EXPECT_GT(albedo, 1 - 0.75 * double(roughness)) << roughness << " " << theta;
     }
@@ -102,8 +100,7 @@ TEST(Ggx, IsReciprocal) {
   for (int i = 0; i < 100; ++i) {
     const Vec3 n(0, 0, 1), a = direction(1.5f * random.uniform(), 6 * random.uniform());
     const Vec3 b = direction(1.5f * random.uniform(), 6 * random.uniform());
-    const Rgb ab = GgxMetallicRoughness{}.brdf(s, n, a, b).total(),
-              ba = GgxMetallicRoughness{}.brdf(s, n, b, a).total();
+    const Rgb ab = Ggx{}.brdf(s, n, a, b).total(), ba = Ggx{}.brdf(s, n, b, a).total();
     EXPECT_NEAR(ab.g, ba.g, 1e-4f * ab.g);
   }
 }
@@ -112,9 +109,7 @@ TEST(Ggx, LobeIntegratesToItsFresnelShareAtNormalIncidence) {
   // With F = 1 the lobe loses only what is masked: nothing for a smooth surface.
   Surface s;
   s.base = Rgb(1), s.metallic = 1, s.roughness = 0.2f;
-  const double albedo = integrate([&](Vec3 wi) {
-    return GgxMetallicRoughness{}.brdf(s, {0, 0, 1}, wi, {0, 0, 1}).total().g * wi.z;
-  });
+  const double albedo = integrate([&](Vec3 wi) { return Ggx{}.brdf(s, {0, 0, 1}, wi, {0, 0, 1}).total().g * wi.z; });
   EXPECT_NEAR(albedo, 1, 3e-3);
 }
 

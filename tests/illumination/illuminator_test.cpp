@@ -14,11 +14,12 @@ constexpr size_t kPoints = 64;
 struct alignas(64) Arrays {
   float position[3][kPoints], normal[3][kPoints], ka[3][kPoints], kd[3][kPoints], ks[3][kPoints], exponent[kPoints];
   float diffuse[3][kPoints], specular[3][kPoints];
+  Surface whole[kPoints];
   PointArrays points(const SurfaceArrays* surface) const {
     return {kPoints, {position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}, surface};
   }
   SurfaceArrays surface() const {
-    return {{ka[0], ka[1], ka[2]}, {kd[0], kd[1], kd[2]}, {ks[0], ks[1], ks[2]}, exponent};
+    return {{ka[0], ka[1], ka[2]}, {kd[0], kd[1], kd[2]}, {ks[0], ks[1], ks[2]}, exponent, whole};
   }
   LitArrays lit() { return {{diffuse[0], diffuse[1], diffuse[2]}, {specular[0], specular[1], specular[2]}}; }
 };
@@ -102,6 +103,8 @@ TEST_P(IlluminatorTest, AgreesWithTheScalarEquation) {
         a.ka[k][i] = ka[k], a.kd[k][i] = kd[k], a.ks[k][i] = ks[k];
       }
       a.exponent[i] = 100 * random.uniform();
+      a.whole[i].ka = ka, a.whole[i].kd = kd, a.whole[i].ks = ks, a.whole[i].exponent = a.exponent[i];
+      a.whole[i].roughness = 0.2f + 0.8f * random.uniform(), a.whole[i].base = kd;
     }
     const SurfaceArrays arrays = a.surface();
     Illuminator(model, surface, lights, ambient, viewer).evaluate(a.points(textured ? &arrays : nullptr), a.lit());
@@ -110,8 +113,7 @@ TEST_P(IlluminatorTest, AgreesWithTheScalarEquation) {
       if (on_cone_edge(lights[0], x) || on_cone_edge(lights[1], x)) continue;
       const Vec3 n = normalize(Vec3(a.normal[0][i], a.normal[1][i], a.normal[2][i]));
       if (textured) {
-        for (int k = 0; k < 3; ++k) surface.ka[k] = a.ka[k][i], surface.kd[k] = a.kd[k][i], surface.ks[k] = a.ks[k][i];
-        surface.exponent = a.exponent[i];
+        surface = a.whole[i];
       }
       const Lit expected = illuminate(model, surface, lights, ambient, x, n, viewer.towards(x));
       const float steep = std::holds_alternative<SpotLight>(lights[0]) ? 2e-4f : 2e-5f;  // the edge of a narrow cone

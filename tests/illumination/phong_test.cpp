@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "aktina/illumination/facets.h"
 #include "illumination/model_checks.h"
 
 namespace aktina {
@@ -26,6 +27,14 @@ TEST(Phong, RadianceOfTheClassicEquation) {
 TEST(Phong, WithoutHighlightIsLambert) {
   const Surface s{.kd = Rgb(0.4f)};
   EXPECT_NEAR(test::albedo(Phong{}, s, test::direction(0.3f, 0), 1024), 0.4, 1e-5);
+}
+
+TEST(Phong, FresnelWeightGrowsTowardsGrazingIncidence) {
+  const Surface s{.ks = Rgb(1), .exponent = 30};
+  for (const float theta : {0.0f, 0.5f, 1.4f}) {
+    const Vec3 wi = test::direction(theta, 0), wo = test::direction(theta, float(kPi));
+    EXPECT_NEAR(Phong{true}.highlight(s, kNormal, wi, wo), fresnel_dielectric(std::cos(theta), 1.5f), 1e-4f);
+  }
 }
 
 TEST(Phong, HighlightIsNotReciprocal) {

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aktina/illumination/model.h"
+
 namespace aktina {
 namespace {
 constexpr float kSmallestAlpha = 1e-4f;  // a lobe of a few arc seconds: below it D overflows
@@ -53,7 +55,7 @@ Rgb dielectric_reflectance(const Surface& s) {
   return clamped(s.specular_tint * f0, 0, 1) * s.specular_weight;
 }
 
-Reflectance GgxMetallicRoughness::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
+Reflectance Ggx::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
   const float cos_i = dot(n, wi), cos_o = dot(n, wo);
   if (cos_i <= 0 || cos_o <= 0) return {};
   const Frame frame(n);
@@ -65,5 +67,10 @@ Reflectance GgxMetallicRoughness::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 w
   const Rgb body = s.base * ((1 - s.metallic) * (1 - s.transmission) * (1 - max_channel(coat)) * float(kInvPi));
   return {body, (coat * (1 - s.metallic) + metal * s.metallic) * lobe};
 }
+
+extern constinit const Method<IlluminationModel> ggx_illumination = {
+    {"ggx", "glTF's metallic-roughness model", "walter2007",
+     "A diffuse body below a GGX coat, or a GGX metal: physically based; two square roots a light."},
+    [](const ParamSet&) -> IlluminationModel { return Ggx{}; }};
 
 }  // namespace aktina

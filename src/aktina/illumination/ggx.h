@@ -1,5 +1,6 @@
 #pragma once
 
+#include "aktina/base/method.h"
 #include "aktina/base/vec.h"
 #include "aktina/illumination/surface.h"
 
@@ -34,7 +35,7 @@ inline Rgb schlick_fresnel(Rgb f0, float f90, float cosine) { return f0 + (Rgb(f
 Rgb dielectric_reflectance(const Surface& s);
 
 /// glTF 2.0's metallic-roughness model: a diffuse body below a GGX coat, mixed with a GGX metal. sr^-1
-struct GgxMetallicRoughness {
+struct Ggx {
   Reflectance brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
 };
 

@@ -20,6 +20,8 @@ struct SurfaceArrays {
   const float* kd[3];
   const float* ks[3];
   const float* exponent;
+  const Surface* whole =
+      nullptr;  // one a point, unpadded: for models that read more (Illuminator::reads_whole_surface)
 };
 
 /// Structure of arrays: `count` points, each array 64-byte aligned and padded.
@@ -44,7 +46,12 @@ class Illuminator {
   /// illuminate() at each point, by SIMD; relative error about 1e-5, and finite for finite points.
   void evaluate(const PointArrays& points, const LitArrays& out) const;
 
+  /// Lambert, Phong, Blinn-Phong and Schlick read ka, kd, ks and the exponent, by SIMD; the others are evaluated point
+  /// by point and read SurfaceArrays::whole, where there is one.
+  bool reads_whole_surface() const;
+
   const IlluminationModel& model() const { return model_; }
+  std::span<const Light> lights() const { return lights_; }
   const Surface& surface() const { return surface_; }
   const Viewer& viewer() const { return viewer_; }
   std::span<const Lamp> lamps() const { return lamps_; }
@@ -53,6 +60,7 @@ class Illuminator {
  private:
   IlluminationModel model_;
   Surface surface_;
+  std::vector<Light> lights_;
   std::vector<Lamp> lamps_;
   Rgb ambient_;
   Viewer viewer_;

@@ -42,6 +42,14 @@ HWY_INLINE F highlight(const BlinnPhong&, const Geometry& g, F exponent) {
   return pow((g.n_l + g.n_v) * inverse_length(dot(h, h)), exponent);
 }
 
+HWY_INLINE F highlight(const Schlick& model, const Geometry& g, F exponent) {
+  const V3 h = g.l + g.v;
+  const F t = model.half ? (g.n_l + g.n_v) * inverse_length(dot(h, h)) : hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v);
+  const F n = hn::Max(exponent, set(1e-6f));
+  const F clamped = hn::Min(t, set(1.0f));
+  return hn::IfThenElseZero(t > zero(), clamped / hn::Max(fma(hn::Sub(set(1.0f), n), clamped, n), set(1e-30f)));
+}
+
 /// Unit direction to a lamp and the factor on its colour there.
 struct Arrival {
   V3 l;
@@ -113,7 +121,11 @@ void light_points(const Model& model, const Illuminator& light, const PointArray
 }
 
 void LightPoints(const Illuminator& light, const PointArrays& points, const LitArrays& out) {
-  std::visit([&](const auto& model) { light_points(model, light, points, out); }, light.model());
+  std::visit(
+      [&](const auto& model) {
+        if constexpr (requires(Geometry g, F x) { highlight(model, g, x); }) light_points(model, light, points, out);
+      },
+      light.model());
 }
 
 }  // namespace
@@ -125,14 +137,43 @@ namespace aktina {
 
 HWY_EXPORT(LightPoints);
 
+namespace {
+
+/// illuminate() point by point, for models without a SIMD form. Padding is written, with copies of the last point.
+void light_each(const Illuminator& light, const PointArrays& points, const LitArrays& out) {
+  for (size_t i = 0; i < padded(points.count); ++i) {
+    const size_t from = std::min(i, points.count - 1);
+    const auto at = [from](const float* const p[3]) { return Vec3(p[0][from], p[1][from], p[2][from]); };
+    Surface s = light.surface();
+    if (points.surface && points.surface->whole) s = points.surface->whole[from];
+    const Point3 x = at(points.position);
+    const Lit lit = illuminate(light.model(), s, light.lights(), light.ambient(), x,
+                               normalize_or(at(points.normal), {0, 0, 1}), light.viewer().towards(x));
+    for (int k = 0; k < 3; ++k) out.diffuse[k][i] = lit.diffuse[k], out.specular[k][i] = lit.specular[k];
+  }
+}
+
+}  // namespace
+
 Illuminator::Illuminator(const IlluminationModel& model, const Surface& surface, std::span<const Light> lights,
                          Rgb ambient, const Viewer& viewer)
-    : model_(model), surface_(surface), ambient_(ambient), viewer_(viewer) {
+    : model_(model), surface_(surface), lights_(lights.begin(), lights.end()), ambient_(ambient), viewer_(viewer) {
   for (const Light& light : lights) lamps_.push_back(lamp(light));
 }
 
+bool Illuminator::reads_whole_surface() const {
+  const auto* phong = std::get_if<Phong>(&model_);
+  if (phong) return phong->fresnel;
+  return !(std::holds_alternative<Lambert>(model_) || std::holds_alternative<BlinnPhong>(model_) ||
+           std::holds_alternative<Schlick>(model_));
+}
+
 void Illuminator::evaluate(const PointArrays& points, const LitArrays& out) const {
-  HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
+  if (points.count == 0) return;
+  if (reads_whole_surface())
+    light_each(*this, points, out);
+  else
+    HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
 }
 
 }  // namespace aktina

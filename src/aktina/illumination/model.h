@@ -1,17 +1,28 @@
 // The illumination models: plain structs in a variant, resolved outside inner loops.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <variant>
 
 #include "aktina/base/method.h"
+#include "aktina/illumination/ambient.h"
 #include "aktina/illumination/blinn_phong.h"
+#include "aktina/illumination/constant.h"
+#include "aktina/illumination/cook_torrance.h"
+#include "aktina/illumination/ggx.h"
 #include "aktina/illumination/lambert.h"
+#include "aktina/illumination/oren_nayar.h"
 #include "aktina/illumination/phong.h"
+#include "aktina/illumination/schlick.h"
+#include "aktina/illumination/torrance_sparrow.h"
+#include "aktina/illumination/ward.h"
 
 namespace aktina {
 
-using IlluminationModel = std::variant<Lambert, Phong, BlinnPhong>;  // add a model: add it here and in table.cpp
+using IlluminationModel =
+    std::variant<Constant, Ambient, Lambert, OrenNayar, Phong, BlinnPhong, Schlick, TorranceSparrow, CookTorrance, Ward,
+                 Ggx>;  // add a model: add it here and in table.cpp
 
 /// BRDF of any model, sr^-1, without the cosine.
 /// @param n, wi, wo  unit; wi towards the light, wo towards the viewer, both leaving the surface
@@ -21,8 +32,9 @@ inline Reflectance brdf(const IlluminationModel& model, const Surface& s, Vec3 n
 
 /// f times the cosine of the light, (n.wi)+, apart by lobe, sr^-1: what the lighting equation sums up. Models with a
 /// highlight S of the literature give (kd n.wi + ks S) / pi, on whatever side of the (interpolated) normal the viewer
-/// is; models that are defined by a BRDF give that.
+/// is; constant lighting does not ask where the light is; models that are defined by a BRDF give that.
 inline Reflectance brdf_cosine(const IlluminationModel& model, const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) {
+  if (std::holds_alternative<Constant>(model)) return {s.kd * (std::max(dot(n, wo), 0.0f) * float(kInvPi)), Rgb()};
   const float n_wi = dot(n, wi);
   if (!(n_wi > 0)) return {};
   return std::visit(

@@ -15,8 +15,9 @@ float phong_highlight(Vec3 n, Vec3 wi, Vec3 wo, float exponent);
 /// Phong's model. Radiance for irradiance E on a plane facing the light is (E / pi) (kd n.wi + ks (r.wo)^n): the
 /// classic light colour is E / pi. As a BRDF the highlight is ks (r.wo)^n / (pi n.wi). sr^-1
 struct Phong {
+  bool fresnel = false;  // W(theta), the Fresnel reflectance at the angle of incidence, multiplies ks
   Reflectance brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
-  float highlight(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const { return phong_highlight(n, wi, wo, s.exponent); }
+  float highlight(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
 };
 
 }  // namespace aktina

@@ -3,11 +3,15 @@
 
 namespace aktina {
 
-extern const Method<IlluminationModel> lambert_illumination, phong_illumination, blinn_phong_illumination;
+extern const Method<IlluminationModel> constant_illumination, ambient_illumination, lambert_illumination,
+    oren_nayar_illumination, phong_illumination, blinn_phong_illumination, schlick_illumination,
+    torrance_sparrow_illumination, cook_torrance_illumination, ward_illumination, ggx_illumination;
 
 std::span<const Method<IlluminationModel>* const> illumination_models() {
-  static constexpr const Method<IlluminationModel>* kTable[] = {&lambert_illumination, &phong_illumination,
-                                                                &blinn_phong_illumination};
+  static constexpr const Method<IlluminationModel>* kTable[] = {
+      &constant_illumination,      &ambient_illumination,     &lambert_illumination, &oren_nayar_illumination,
+      &phong_illumination,         &blinn_phong_illumination, &schlick_illumination, &torrance_sparrow_illumination,
+      &cook_torrance_illumination, &ward_illumination,        &ggx_illumination};
   return kTable;
 }
 
