@@ -1,1 +1,0 @@
-// Keeps the room's target while it has no other file.
