@@ -9,6 +9,7 @@
 #include "aktina/base/file.h"
 #include "aktina/base/quantity.h"
 #include "aktina/base/vec.h"
+#include "aktina/base/warnings.h"
 
 namespace aktina {
 
@@ -35,9 +36,17 @@ struct PatchMesh {
   std::vector<float> areas;           // m^2
   std::vector<Vec3> patch_normals;    // unit, geometric, front side
   std::vector<Rgb> reflectances;      // diffuse rho in [0, 1), textures averaged over the patch
-  std::vector<Rgb> transmittances;    // diffuse tau; docs/materials.md
+  std::vector<Rgb> transmittances;    // tau, of light that goes straight through; rho + tau < 1
   std::vector<Radiosity> emissions;   // exitance E of its own, lm/m^2
-  std::vector<uint8_t> two_sided;     // reflects and emits on both sides
+  std::vector<uint8_t> two_sided;     // reflects and emits on both sides; else the back takes up all light
+
+  /// Neighbouring patches of one face that shoot their light together: what radiosity literature calls a patch, where
+  /// ours are its elements. Together all patches, in order, each once.
+  struct Shooter {
+    uint32_t first = 0, count = 1;
+    std::array<uint32_t, 4> corners;  // their outline: vertices, as of a patch
+  };
+  std::vector<Shooter> shooters;
 
   size_t size() const { return patches.size(); }
   bool is_quad(size_t patch) const { return patches[patch][2] != patches[patch][3]; }
@@ -50,10 +59,12 @@ struct Solution {
   std::vector<Irradiance> irradiances;       // H, lx: all light that arrives, direct and indirect
   std::vector<Radiosity> radiosities;        // B, lm/m^2
   std::vector<Irradiance> back_irradiances;  // by patch; 0 where not two-sided
+  std::vector<Irradiance> direct_irradiances, back_direct_irradiances;  // the part straight from lights and emitters
   // By vertex, reconstructed to be smooth over smooth surfaces.
   std::vector<Irradiance> vertex_irradiances;
   std::vector<Radiosity> vertex_radiosities;
   std::vector<Irradiance> vertex_back_irradiances;
+  std::vector<Irradiance> vertex_direct_irradiances, vertex_back_direct_irradiances;
 
   // How it was made.
   std::string settings, scene_hash;
@@ -62,6 +73,7 @@ struct Solution {
   double unshot = 0;                              // flux not yet distributed over flux emitted; 0: converged
   double emitted = 0, absorbed = 0, escaped = 0;  // lm, sum over channels weighted as luminance; energy accounting
   bool converged = false;
+  Warnings warnings;  // what was left out or changed: degenerate triangles, reflectances of 1
 };
 
 /// One binary file, little endian, versioned, with a checksum. @throws Error io

@@ -5,6 +5,7 @@
 #include "aktina/base/error.h"
 #include "aktina/illumination/light/light.h"
 #include "aktina/illumination/model.h"
+#include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/solver.h"
 
 namespace aktina {
@@ -49,6 +50,8 @@ const std::vector<Family>& families() {
       {"light", "Light sources", "What arrives at a point, and from where.", "illumination/light", rows(lights())},
       {"illumination", "Illumination models", "How a surface reflects light from one direction into another.",
        "illumination", rows(illumination_models())},
+      {"mesher", "Meshers", "How surfaces are cut into patches that light is computed on.", "radiosity/mesher",
+       rows(meshers())},
       {"radiosity", "Radiosity solvers", "How the light between diffuse surfaces is balanced.", "radiosity/solver",
        rows(solvers())},
   };

@@ -175,7 +175,7 @@ class MatrixSolver final : public RadiositySolver {
 
 }  // namespace
 
-extern constinit const RadiositySolverRow matrix_radiosity = {
+extern constinit const Method<std::unique_ptr<RadiositySolver>> matrix_radiosity = {
     {"matrix", "Matrix radiosity by Gauss-Seidel", "goral1984",
      "All form factors, then a linear system: exact for its factors, memory grows with the square of the patches."},
     [](const ParamSet&) -> std::unique_ptr<RadiositySolver> { return std::make_unique<MatrixSolver>(); }};

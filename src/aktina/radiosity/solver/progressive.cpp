@@ -131,7 +131,7 @@ class ProgressiveSolver final : public RadiositySolver {
 
 }  // namespace
 
-extern constinit const RadiositySolverRow progressive_radiosity = {
+extern constinit const Method<std::unique_ptr<RadiositySolver>> progressive_radiosity = {
     {"progressive", "Progressive refinement", "cohen1988",
      "Shoots the brightest light not yet distributed first; a useful picture after few steps, little memory."},
     [](const ParamSet&) -> std::unique_ptr<RadiositySolver> { return std::make_unique<ProgressiveSolver>(); }};

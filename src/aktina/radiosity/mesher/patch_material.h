@@ -1,0 +1,36 @@
+// What a patch is made of: the material's textures averaged over it.
+#pragma once
+
+#include <span>
+
+#include "aktina/radiosity/mesher/faces.h"
+
+namespace aktina {
+
+inline constexpr float kMostReflectance = 0.99f;  // rho + tau of a patch: beyond it light would not die away
+
+struct PatchMaterial {
+  Rgb reflectance, transmittance;
+  Radiosity emission;
+  bool clamped = false;  // the material reflects more than kMostReflectance
+};
+
+/// Averages materials of one instance over patches of its faces. Area averages in linear light; alpha is coverage: what
+/// is not covered lets light straight through.
+class PatchMaterials {
+ public:
+  PatchMaterials(const Scene& scene, const Instance& instance, const Faces& faces);
+  PatchMaterial average(const Face& face, std::span<const Point3, 4> corners) const;
+
+ private:
+  PatchMaterial at(const SurfacePoint& place) const;
+  int samples(const Face& face, std::span<const Point3, 4> corners) const;
+
+  const Scene& scene_;
+  const Material& material_;
+  const Faces& faces_;
+  bool uniform_;
+  PatchMaterial everywhere_;
+};
+
+}  // namespace aktina
