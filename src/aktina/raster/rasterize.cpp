@@ -247,15 +247,8 @@ LayeredImage rasterize(const Scene& scene, const Camera& camera, int width, int 
 }
 
 ItemBuffer rasterize_items(const Scene& scene, const Camera& camera, int width, int height) {
-  check_size(width, height, 1);
-  RasterFrame f{
-      scene, View(camera, width, height), make_method(shading_methods(), "shading", "flat"), Lambert{}, {}, false, {}};
-  Pixel clear{};
-  clear.depth = f.view.farthest();
-  f.pixels.assign(size_t(width) * size_t(height), clear);
-  draw_all(f);
-  ItemBuffer out{width, height, {}};
-  for (const Pixel& p : f.pixels) out.item.push_back(p.item);
+  ItemBuffer out;
+  ItemRasterizer(scene).draw(camera, width, height, out);
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "aktina/base/progress.h"
 #include "aktina/image/image.h"
+#include "aktina/raster/item_buffer.h"
 #include "aktina/scene/scene.h"
 
 namespace aktina {
@@ -31,12 +32,7 @@ LayeredImage rasterize(const Scene& scene, const Camera& camera, int width, int 
 Image rasterize_radiance(const Mesh& mesh, std::span<const Rgb> radiance, const Camera& camera, int width, int height,
                          int samples = 1);
 
-/// Which triangle each pixel sees: an item buffer.
-struct ItemBuffer {
-  static constexpr uint32_t kNothing = 0xffffffff;
-  int width = 0, height = 0;
-  std::vector<uint32_t> item;  // rows from top to bottom; triangles counted through instance by instance
-};
+/// Which triangle each pixel sees; for many views of a scene see ItemRasterizer.
 ItemBuffer rasterize_items(const Scene& scene, const Camera& camera, int width, int height);
 
 }  // namespace aktina

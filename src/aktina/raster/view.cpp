@@ -1,5 +1,6 @@
 #include "aktina/raster/view.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace aktina {
@@ -27,7 +28,9 @@ View::View(const Camera& camera, int width, int height)
 
 ScreenVertex View::project(Vec4 clip) const {
   const float weight = 1 / clip.w;
-  const float x = (clip.x * weight * 0.5f + 0.5f) * float(width_), y = (0.5f - clip.y * weight * 0.5f) * float(height_);
+  const auto banded = [](float v) { return std::clamp(v, -kGuardBand, kGuardBand); };  // cut points are rounded
+  const float x = banded((clip.x * weight * 0.5f + 0.5f) * float(width_));
+  const float y = banded((0.5f - clip.y * weight * 0.5f) * float(height_));
   return {int32_t(std::lrint(x * kSubpixels)), int32_t(std::lrint(y * kSubpixels)), perspective() ? weight : -clip.z,
           weight};
 }

@@ -17,6 +17,15 @@ inline constexpr int kSubpixels = 256;
 /// no longer be exact.
 inline constexpr float kGuardBand = 65536;
 
+/// Pixels of a row or a column whose centres lie in low .. high (1/256 px), within 0 .. size - 1; none if first > last.
+struct PixelRange {
+  int32_t first, last;
+};
+inline PixelRange pixel_range(int32_t low, int32_t high, int size) {
+  const int32_t first = (low + kSubpixels / 2 - 1) >> 8, last = (high - kSubpixels / 2) >> 8;
+  return {first < 0 ? 0 : first, last >= size ? size - 1 : last};
+}
+
 class View {
  public:
   View(const Camera& camera, int width, int height);

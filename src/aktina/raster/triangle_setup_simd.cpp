@@ -1,0 +1,150 @@
+// Edge functions and depth planes, sixteen triangles at a time.
+//
+// J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
+#include "aktina/raster/triangle_record.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "aktina/raster/triangle_setup_simd.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include "aktina/raster/exact_simd.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aktina::HWY_NAMESPACE {
+namespace {
+
+/// kWidePart triangles in registers, their edges, and the pixels they can reach.
+struct Triangles {
+  NI x[3], y[3], a[3], b[3], e[3];
+  NI first_x, first_y, last_x, last_y, origin_x, origin_y;
+  NM large;
+  D exact[3];  // edge functions at the centre of the origin, 1/256 px squared
+  NF depth[3];
+};
+
+constexpr int32_t kLargest = 1 << 17;  // 1/256 px between corners, for edge functions that fit 32 bits all over
+
+HWY_INLINE void find_pixels(Triangles& t, int width, int height) {
+  const auto range = [](const NI(&v)[3], int size, NI& first, NI& last) HWY_ATTR {  // pixel_range()
+    const NI low = hn::Min(hn::Min(v[0], v[1]), v[2]), high = hn::Max(hn::Max(v[0], v[1]), v[2]);
+    first = hn::Max(hn::ShiftRight<8>(low + narrow_set(kSubpixels / 2 - 1)), narrow_set(0));
+    last = hn::Min(hn::ShiftRight<8>(high - narrow_set(kSubpixels / 2)), narrow_set(size - 1));
+    return high - low;
+  };
+  const NI across = range(t.x, width, t.first_x, t.last_x), down = range(t.y, height, t.first_y, t.last_y);
+  t.large = hn::Gt(hn::Max(across, down), narrow_set(kLargest));
+  t.origin_x = t.first_x & narrow_set(~3), t.origin_y = t.first_y & narrow_set(~3);
+}
+
+/// Edge k lies opposite corner k. The top-left rule: an edge has the pixels upon it where it leads upwards on the left,
+/// or is horizontal and on top.
+HWY_INLINE void find_edges(Triangles& t) {
+  const NI none = narrow_set(0);
+  const NI centre_x = hn::ShiftLeft<8>(t.origin_x) + narrow_set(kSubpixels / 2);
+  const NI centre_y = hn::ShiftLeft<8>(t.origin_y) + narrow_set(kSubpixels / 2);
+  for (int k = 0; k < 3; ++k) {
+    const int from = (k + 1) % 3, to = (k + 2) % 3;
+    const NI a = t.y[to] - t.y[from], b = t.x[from] - t.x[to];
+    t.a[k] = a, t.b[k] = b;
+    t.exact[k] = wide(a) * wide(centre_x - t.x[from]) + wide(b) * wide(centre_y - t.y[from]);
+    const NM own = hn::Or(hn::Gt(a, none), hn::And(hn::Eq(a, none), hn::Gt(b, none)));
+    const NI bias = hn::IfThenElse(own, none, narrow_set(-1));
+    const NI e = floor_to_int((t.exact[k] + wide(bias)) * wide(1.0 / kSubpixels));
+    t.e[k] = hn::IfThenElse(t.large, narrow_set(TriangleRecord::kLarge), e);
+  }
+}
+
+struct Plane {
+  D constant, dx, dy;
+};
+
+/// Barycentric coordinates of corners 1 and 2: E_k / area.
+HWY_INLINE void find_planes(const Triangles& t, Plane (&out)[2]) {
+  const D area = t.exact[0] + t.exact[1] + t.exact[2];  // the same everywhere
+  const D scale = wide(1.0) / area, step = scale * wide(double(kSubpixels));
+  for (int k = 1; k < 3; ++k) out[k - 1] = {t.exact[k] * scale, wide(t.a[k]) * step, wide(t.b[k]) * step};
+}
+
+/// In double too: on slivers the terms cancel.
+HWY_INLINE Plane depth_plane(const NF (&depth)[3], const Plane (&p)[2]) {
+  const D d0 = hn::PromoteTo(kDouble, depth[0]);
+  const D d1 = hn::PromoteTo(kDouble, depth[1]) - d0, d2 = hn::PromoteTo(kDouble, depth[2]) - d0;
+  return {hn::MulAdd(d1, p[0].constant, hn::MulAdd(d2, p[1].constant, d0)), hn::MulAdd(d1, p[0].dx, d2 * p[1].dx),
+          hn::MulAdd(d1, p[0].dy, d2 * p[1].dy)};
+}
+
+/// What set-up writes, before it goes lane by lane into records.
+struct alignas(64) Columns {
+  int32_t a[3][kLanes], b[3][kLanes], e[3][kLanes], pixels[4][kLanes];
+  float z[3][kLanes];
+};
+
+HWY_INLINE void put(NI v, int32_t* p) { hn::StoreU(v, kNarrowInt, p); }
+HWY_INLINE void put(D v, float* p) { hn::StoreU(to_narrow_float(v), kNarrowFloat, p); }
+
+HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int height, Columns& out, ScreenPlanes& planes) {
+  Triangles t;
+  for (int k = 0; k < 3; ++k) {
+    t.x[k] = narrow_load(g.x[k].v + i), t.y[k] = narrow_load(g.y[k].v + i);
+    t.depth[k] = narrow_load(g.depth[k].v + i);
+  }
+  find_pixels(t, width, height);
+  find_edges(t);
+  Plane p[2];
+  find_planes(t, p);
+  const Plane z = depth_plane(t.depth, p);
+  for (int k = 0; k < 3; ++k) put(t.a[k], out.a[k] + i), put(t.b[k], out.b[k] + i), put(t.e[k], out.e[k] + i);
+  put(z.constant, out.z[0] + i), put(z.dx, out.z[1] + i), put(z.dy, out.z[2] + i);
+  put(t.first_x, out.pixels[0] + i), put(t.first_y, out.pixels[1] + i);
+  put(t.last_x, out.pixels[2] + i), put(t.last_y, out.pixels[3] + i);
+  for (int k = 0; k < 2; ++k) {
+    put(p[k].constant, planes.constant[k].v + i);
+    put(p[k].dx, planes.dx[k].v + i);
+    put(p[k].dy, planes.dy[k].v + i);
+  }
+}
+
+void SetUpTriangles(const CornerGroup& g, int width, int height, TriangleRecord* out, ScreenPlanes& planes) {
+  Columns c;
+  for (size_t i = 0; i < kLanes; i += kWidePart) set_up_part(g, i, width, height, c, planes);
+  for (size_t i = 0; i < size_t(g.count); ++i) {
+    TriangleRecord& r = out[i];
+    for (int k = 0; k < 3; ++k) r.a[k] = c.a[k][i], r.b[k] = c.b[k][i], r.e[k] = c.e[k][i];
+    r.z0 = c.z[0][i], r.zx = c.z[1][i], r.zy = c.z[2][i];
+    r.first_x = uint16_t(c.pixels[0][i]), r.first_y = uint16_t(c.pixels[1][i]);
+    r.last_x = uint16_t(c.pixels[2][i]), r.last_y = uint16_t(c.pixels[3][i]);
+    r.corner_x = g.x[0][i], r.corner_y = g.y[0][i];
+  }
+}
+
+}  // namespace
+}  // namespace aktina::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aktina {
+
+HWY_EXPORT(SetUpTriangles);
+
+void set_up_triangles(const CornerGroup& group, int width, int height, TriangleRecord* out, ScreenPlanes& planes) {
+  HWY_DYNAMIC_DISPATCH(SetUpTriangles)(group, width, height, out, planes);
+}
+
+Edges edges_at(const TriangleRecord& r, int x, int y) {
+  // Corners 1 and 2 follow from corner 0 and the edges that lead there.
+  const int64_t corner_x[3] = {r.corner_x, int64_t(r.corner_x) - r.b[2], int64_t(r.corner_x) + r.b[1]};
+  const int64_t corner_y[3] = {r.corner_y, int64_t(r.corner_y) + r.a[2], int64_t(r.corner_y) - r.a[1]};
+  const int64_t px = int64_t(x) * kSubpixels + kSubpixels / 2, py = int64_t(y) * kSubpixels + kSubpixels / 2;
+  Edges out;
+  for (int k = 0; k < 3; ++k) {
+    const bool own = r.a[k] > 0 || (r.a[k] == 0 && r.b[k] > 0);
+    const int from = (k + 1) % 3;
+    const int64_t exact = r.a[k] * (px - corner_x[from]) + r.b[k] * (py - corner_y[from]) - (own ? 0 : 1);
+    out.e[k] = exact >> 8;  // floor
+  }
+  return out;
+}
+
+}  // namespace aktina
+#endif
