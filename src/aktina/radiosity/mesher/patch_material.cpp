@@ -15,7 +15,7 @@ bool has_textures(const Material& m) {
 
 }  // namespace
 
-PatchMaterials::PatchMaterials(const Scene& scene, const Instance& instance, const Faces& faces)
+PatchMaterials::PatchMaterials(const Scene& scene, const Instance& instance, const SourceFaces& faces)
     : scene_(scene),
       material_(scene.material_of(instance)),
       faces_(faces),
@@ -36,7 +36,7 @@ PatchMaterial PatchMaterials::at(const SurfacePoint& place) const {
 }
 
 /// Along a side: as many as there are texels, within reason.
-int PatchMaterials::samples(const Face& face, std::span<const Point3, 4> corners) const {
+int PatchMaterials::samples(const SourceFace& face, std::span<const Point3, 4> corners) const {
   if (uniform_) return 1;
   float texels = 2;
   for (const Texture* use : {&material_.base_texture, &material_.emission_texture}) {
@@ -53,7 +53,7 @@ int PatchMaterials::samples(const Face& face, std::span<const Point3, 4> corners
   return int(std::min(std::ceil(texels), float(kMostSamples)));
 }
 
-PatchMaterial PatchMaterials::average(const Face& face, std::span<const Point3, 4> corners) const {
+PatchMaterial PatchMaterials::average(const SourceFace& face, std::span<const Point3, 4> corners) const {
   PatchMaterial mean = everywhere_;
   const int n = samples(face, corners);
   if (!uniform_) mean = {};

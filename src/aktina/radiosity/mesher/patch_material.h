@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "aktina/radiosity/mesher/faces.h"
+#include "aktina/radiosity/mesher/source_faces.h"
 
 namespace aktina {
 
@@ -19,16 +19,16 @@ struct PatchMaterial {
 /// is not covered lets light straight through.
 class PatchMaterials {
  public:
-  PatchMaterials(const Scene& scene, const Instance& instance, const Faces& faces);
-  PatchMaterial average(const Face& face, std::span<const Point3, 4> corners) const;
+  PatchMaterials(const Scene& scene, const Instance& instance, const SourceFaces& faces);
+  PatchMaterial average(const SourceFace& face, std::span<const Point3, 4> corners) const;
 
  private:
   PatchMaterial at(const SurfacePoint& place) const;
-  int samples(const Face& face, std::span<const Point3, 4> corners) const;
+  int samples(const SourceFace& face, std::span<const Point3, 4> corners) const;
 
   const Scene& scene_;
   const Material& material_;
-  const Faces& faces_;
+  const SourceFaces& faces_;
   bool uniform_;
   PatchMaterial everywhere_;
 };

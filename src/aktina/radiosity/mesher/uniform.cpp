@@ -13,10 +13,10 @@
 #include <unordered_map>
 
 #include "aktina/base/error.h"
-#include "aktina/radiosity/mesher/faces.h"
 #include "aktina/radiosity/mesher/junctions.h"
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/mesher/patch_material.h"
+#include "aktina/radiosity/mesher/source_faces.h"
 
 namespace aktina {
 namespace {
@@ -35,20 +35,20 @@ class Subdivision {
   Subdivision(PatchMesh& mesh, double size, double shooter_size, uint64_t most, const Junctions& junctions)
       : mesh_(mesh), size_(size), shooter_size_(shooter_size / kSlack), most_(most), junctions_(junctions) {}
 
-  void add(const Scene& scene, uint32_t instance, const Faces& faces) {
+  void add(const Scene& scene, uint32_t instance, const SourceFaces& faces) {
     const PatchMaterials materials(scene, scene.instances[instance], faces);
     two_sided_ = scene.material_of(scene.instances[instance]).double_sided;
     faces_ = &faces, materials_ = &materials;
     middles_.clear(), on_edge_.clear();
     ids_.assign(faces.positions.size(), kNone);
-    for (const Face& face : faces.list) add(face);
+    for (const SourceFace& face : faces.list) add(face);
   }
   uint64_t clamped() const { return clamped_; }
 
  private:
   static constexpr uint32_t kNone = 0xffffffff;
 
-  void add(const Face& face) {
+  void add(const SourceFace& face) {
     face_ = &face;
     Corners corners;
     for (size_t k = 0; k < 4; ++k) {
@@ -216,9 +216,9 @@ class Subdivision {
   double size_, shooter_size_;
   uint64_t most_, clamped_ = 0;
   const Junctions& junctions_;
-  const Faces* faces_ = nullptr;
+  const SourceFaces* faces_ = nullptr;
   const PatchMaterials* materials_ = nullptr;
-  const Face* face_ = nullptr;
+  const SourceFace* face_ = nullptr;
   bool two_sided_ = false, in_shooter_ = false;
   std::vector<uint32_t> ids_;  // vertex of the mesh for each of the faces' corners
   std::unordered_map<uint64_t, uint32_t> middles_;
@@ -226,10 +226,10 @@ class Subdivision {
   std::vector<Point3> found_;
 };
 
-double area(const std::vector<Faces>& faces) {
+double area(const std::vector<SourceFaces>& faces) {
   double sum = 0;
-  for (const Faces& each : faces)
-    for (const Face& f : each.list) {
+  for (const SourceFaces& each : faces)
+    for (const SourceFace& f : each.list) {
       const Vec3d a(each.positions[f.corners[0]]), b(each.positions[f.corners[1]]), c(each.positions[f.corners[2]]),
           d(each.positions[f.corners[3]]);
       sum += 0.5 * length(f.is_quad() ? cross(c - a, d - b) : cross(b - a, c - a));
@@ -242,7 +242,7 @@ class UniformMesher final : public Mesher {
   explicit UniformMesher(double shooter) : shooter_(shooter) {}
 
   PatchMesh mesh(const Scene& scene, const MeshOptions& options, Warnings& warnings) const override {
-    std::vector<Faces> faces;
+    std::vector<SourceFaces> faces;
     std::vector<uint32_t> instances;
     std::vector<Point3> points;
     uint64_t degenerate = 0;
@@ -271,9 +271,9 @@ class UniformMesher final : public Mesher {
 
  private:
   /// A patch is at most a square of the patch size, and every face is at least one.
-  static void check_count(const std::vector<Faces>& faces, double total, double size, uint64_t most) {
+  static void check_count(const std::vector<SourceFaces>& faces, double total, double size, uint64_t most) {
     double least = 0;
-    for (const Faces& each : faces) least += double(each.list.size());
+    for (const SourceFaces& each : faces) least += double(each.list.size());
     least = std::max(least, total / (size * size));
     if (least > double(most))
       throw Error(Code::limit, "most_patches",

@@ -12,24 +12,24 @@ namespace aktina {
 
 /// A triangle, or two triangles of a mesh that together are a planar convex quadrilateral.
 /// Counter-clockwise seen from the front.
-struct Face {
-  std::array<uint32_t, 4> corners;    // into Faces::positions; the last two of a triangle are equal
+struct SourceFace {
+  std::array<uint32_t, 4> corners;    // into SourceFaces::positions; the last two of a triangle are equal
   std::array<uint32_t, 2> triangles;  // of the mesh; both the same for a triangle
   bool is_quad() const { return corners[2] != corners[3]; }
 };
 
 /// The faces of one instance.
-class Faces {
+class SourceFaces {
  public:
   /// Triangles without area or with positions that are not finite are left out and counted.
-  Faces(const Scene& scene, uint32_t instance);
+  SourceFaces(const Scene& scene, uint32_t instance);
 
   std::vector<Point3> positions;  // m, world, of the vertices in use
-  std::vector<Face> list;
+  std::vector<SourceFace> list;
   uint64_t degenerate = 0;
 
   /// Where a point on a face lies: the triangle it is in, and its barycentric coordinates there.
-  SurfacePoint place(const Face& face, Point3 point) const;
+  SurfacePoint place(const SourceFace& face, Point3 point) const;
   /// Unit shading normal, world, at a place.
   Vec3 normal(const SurfacePoint& place) const;
   /// Attributes of the mesh at a place.

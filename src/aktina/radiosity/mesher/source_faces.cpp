@@ -1,4 +1,4 @@
-#include "aktina/radiosity/mesher/faces.h"
+#include "aktina/radiosity/mesher/source_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ T blend(const std::array<uint32_t, 3>& t, const std::vector<T>& values, const Su
 
 }  // namespace
 
-Faces::Faces(const Scene& scene, uint32_t instance)
+SourceFaces::SourceFaces(const Scene& scene, uint32_t instance)
     : mesh_(scene.meshes[size_t(scene.instances[instance].mesh)]),
       instance_(instance),
       to_world_(scene.instances[instance].to_world),
@@ -66,7 +66,7 @@ Faces::Faces(const Scene& scene, uint32_t instance)
   add_faces(corners);
 }
 
-void Faces::add_faces(const std::vector<Corners>& corners) {
+void SourceFaces::add_faces(const std::vector<Corners>& corners) {
   for (uint32_t t = 0; t < corners.size(); ++t) {
     const Corners& a = corners[t];
     if (!a.usable) continue;
@@ -79,7 +79,7 @@ void Faces::add_faces(const std::vector<Corners>& corners) {
 }
 
 /// Triangles `first` and the next one as a quadrilateral, if they are one.
-bool Faces::join(uint32_t first, const Corners& a, const Corners& b) {
+bool SourceFaces::join(uint32_t first, const Corners& a, const Corners& b) {
   const bool stated = !mesh_.triangle_face.empty();
   if (stated && mesh_.triangle_face[first] != mesh_.triangle_face[first + 1]) return false;
   const Vec3 na = cross_of(positions, a.ids), nb = cross_of(positions, b.ids);
@@ -97,7 +97,7 @@ bool Faces::join(uint32_t first, const Corners& a, const Corners& b) {
   return false;
 }
 
-SurfacePoint Faces::place(const Face& face, Point3 point) const {
+SurfacePoint SourceFaces::place(const SourceFace& face, Point3 point) const {
   SurfacePoint best;
   double inside = -1e30;
   for (const uint32_t t : face.triangles) {
@@ -116,18 +116,18 @@ SurfacePoint Faces::place(const Face& face, Point3 point) const {
   return best;
 }
 
-Vec3 Faces::normal(const SurfacePoint& at) const {
+Vec3 SourceFaces::normal(const SurfacePoint& at) const {
   const Mesh& source = flat_.positions.empty() ? mesh_ : flat_;
   const auto& t = source.triangles[at.triangle];
   const Vec3 face = cross_of(source.positions, t);
   return normalize_or(normal_matrix_ * blend(t, source.normals, at), normalize_or(normal_matrix_ * face, {0, 1, 0}));
 }
 
-Vec2 Faces::uv(const SurfacePoint& at, int set) const {
+Vec2 SourceFaces::uv(const SurfacePoint& at, int set) const {
   return mesh_.uv[set].empty() ? Vec2(0) : blend(mesh_.triangles[at.triangle], mesh_.uv[set], at);
 }
 
-Vec4 Faces::colour(const SurfacePoint& at) const {
+Vec4 SourceFaces::colour(const SurfacePoint& at) const {
   return mesh_.colours.empty() ? Vec4(1) : blend(mesh_.triangles[at.triangle], mesh_.colours, at);
 }
 
