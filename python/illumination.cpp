@@ -7,55 +7,18 @@
 #include "aktina/illumination/model.h"
 #include "arrays.h"
 #include "rooms.h"
+#include "surface_row.h"
 
 namespace aktina::python {
 namespace {
 
 constexpr size_t kGrain = 4096;  // samples a piece
 
-/// The coefficients of a Surface, in the order of a row of floats: the name in Python, and a colour or a number.
-struct Field {
-  const char* name;
-  Rgb Surface::*colour = nullptr;
-  float Surface::*number = nullptr;
-  int size() const { return colour ? 3 : 1; }
-};
-constexpr Field kFields[] = {
-    {"ka", &Surface::ka},
-    {"kd", &Surface::kd},
-    {"ks", &Surface::ks},
-    {"kr", &Surface::kr},
-    {"kt", &Surface::kt},
-    {"exponent", nullptr, &Surface::exponent},
-    {"base_colour", &Surface::base},
-    {"metallic", nullptr, &Surface::metallic},
-    {"roughness", nullptr, &Surface::roughness},
-    {"ior", nullptr, &Surface::ior},
-    {"specular_tint", &Surface::specular_tint},
-    {"specular_weight", nullptr, &Surface::specular_weight},
-};
-
-int row_size() {
-  int size = 0;
-  for (const Field& field : kFields) size += field.size();
-  return size;
-}
-
-Surface surface(const float* row) {
-  Surface s;
-  for (const Field& field : kFields) {
-    if (field.colour) s.*field.colour = rgb(row);
-    if (field.number) s.*field.number = *row;
-    row += field.size();
-  }
-  return s;
-}
-
 /// [(name, default values)]
 py::list surface_fields() {
   const Surface s;
   py::list fields;
-  for (const Field& field : kFields) {
+  for (const SurfaceField& field : kSurfaceFields) {
     py::list values;
     if (field.colour)
       for (int k = 0; k < 3; ++k) values.append((s.*field.colour)[k]);
@@ -71,7 +34,7 @@ using Input = Rows<const float>;
 void illuminate(const std::string& choice, const py::buffer& surfaces, const py::buffer& n, const py::buffer& l,
                 const py::buffer& v, const py::buffer& light, const py::buffer& ambient, const py::buffer& out) {
   const IlluminationModel model = make_method(illumination_models(), "illumination", choice);
-  const Input material(surfaces, row_size(), "material"), normal(n, 3, "n"), wi(l, 3, "l"), wo(v, 3, "v"),
+  const Input material(surfaces, surface_row_size(), "material"), normal(n, 3, "n"), wi(l, 3, "l"), wo(v, 3, "v"),
       colour(light, 3, "light"), around(ambient, 3, "ambient");
   const Rows<float> result(out, 3, "out");
   const py::gil_scoped_release without_lock;

@@ -12,6 +12,7 @@ from ._facets import facet_distribution, fresnel, groove_masking
 from ._geometry import Hits, intersect, vertex_normal
 from ._illumination import highlight, illuminate, schlick_power
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
+from ._shading import interpolate, interpolate_samples
 from ._radiosity import solve_radiosity
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -31,11 +31,7 @@ def illuminate(model, material, n, l, v=None, light=1.0, ambient=0.0):
     >>> lit.round(4).tolist()
     [0.6499999761581421, 0.6499999761581421, 1.2999999523162842]
     """
-    material = material.get("surface", material)
-    unknown = sorted(set(material) - set(_FIELDS))
-    if unknown:
-        raise UsageError("no such coefficient", f"material.{unknown[0]}", "there are: " + ", ".join(_FIELDS))
-    given = {name: _coefficient(name, material[name]) for name in material}
+    given = _coefficients(material)
     n = unit_vectors("n", n)
     arrays = {"n": n, "l": unit_vectors("l", l), "v": n if v is None else unit_vectors("v", v),
               "light": colours("light", light), "ambient": colours("ambient", ambient)}
@@ -73,6 +69,20 @@ def schlick_power(t, exponent):
     out = np.empty(t.shape, np.float32)
     _core.schlick_power(np.ascontiguousarray(t).reshape(-1), np.ascontiguousarray(exponent).reshape(-1), out.reshape(-1))
     return out[()]
+
+
+def surface_rows(material):
+    """The core's rows of coefficients: one for all points, or one a point."""
+    given = _coefficients(material)
+    return _surfaces(dict(zip(given, spread(**given)[1])) if given else {})
+
+
+def _coefficients(material):
+    material = material.get("surface", material)
+    unknown = sorted(set(material) - set(_FIELDS))
+    if unknown:
+        raise UsageError("no such coefficient", f"material.{unknown[0]}", "there are: " + ", ".join(_FIELDS))
+    return {name: _coefficient(name, material[name]) for name in material}
 
 
 def _coefficient(name, values):
