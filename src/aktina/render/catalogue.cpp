@@ -5,8 +5,10 @@
 #include "aktina/base/error.h"
 #include "aktina/illumination/light/light.h"
 #include "aktina/illumination/model.h"
+#include "aktina/illumination/normals/normals.h"
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/solver.h"
+#include "aktina/raster/shading/shading_method.h"
 
 namespace aktina {
 namespace {
@@ -52,6 +54,10 @@ const std::vector<Family>& families() {
        "illumination", rows(illumination_models())},
       {"mesher", "Meshers", "How surfaces are cut into patches that light is computed on.", "radiosity/mesher",
        rows(meshers())},
+      {"normals", "Vertex normals", "How the facets around a vertex make up its normal.", "illumination/normals",
+       rows(normals())},
+      {"shading", "Shading interpolation", "How light is carried from the corners of a triangle into its inside.",
+       "raster/shading", rows(shading_methods())},
       {"radiosity", "Radiosity solvers", "How the light between diffuse surfaces is balanced.", "radiosity/solver",
        rows(solvers())},
   };
