@@ -10,7 +10,7 @@
 namespace aktina {
 
 template <class T>
-struct alignas(64) Line {
+struct alignas(64) LanesOf {
   T v[kLanes];
   T& operator[](size_t i) { return v[i]; }
   T operator[](size_t i) const { return v[i]; }
@@ -27,7 +27,7 @@ class LineArray {
   T operator[](size_t i) const { return lines_[i / kLanes].v[i % kLanes]; }
 
  private:
-  std::vector<Line<T>> lines_;
+  std::vector<LanesOf<T>> lines_;
 };
 
 }  // namespace aktina
