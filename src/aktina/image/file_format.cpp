@@ -10,7 +10,8 @@
 namespace aktina {
 namespace {
 
-constexpr const ImageCodec* kCodecs[] = {&png_codec, &pfm_codec};
+constexpr const ImageCodec* kCodecs[] = {&png_codec,      &jpeg_codec,         &webp_codec,
+                                         &open_exr_codec, &radiance_hdr_codec, &pfm_codec};
 
 constexpr uint64_t kAlwaysAccepted = uint64_t(64) << 20;  // bytes of decoded pixels
 constexpr uint64_t kBestPacking = 1100;                   // deflate reaches 1032 : 1

@@ -66,6 +66,7 @@ struct Decoder {
     std::vector<Code> codes(size_t(ihdr.width) * ihdr.height * 4);
     const int format = sizeof(Code) == 2 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
     check(spng_decode_image(context.get(), codes.data(), codes.size() * sizeof(Code), format, SPNG_DECODE_TRNS), where);
+    check(spng_decode_chunks(context.get()), where);  // the end of the file, and the last checksum
     return codes;
   }
 };
