@@ -10,7 +10,7 @@ namespace aktina::test {
 /// Quad a, b, c, d as two triangles, counter-clockwise seen from its front.
 inline void add_quad(Mesh& mesh, Point3 a, Point3 b, Point3 c, Point3 d) {
   const auto first = uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+  for (const Point3 p : {a, b, c, d}) mesh.positions.push_back(p);
   mesh.triangles.push_back({first, first + 1, first + 2});
   mesh.triangles.push_back({first, first + 2, first + 3});
 }

@@ -9,6 +9,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -17,12 +18,17 @@ namespace aktina {
 namespace {
 
 std::mutex arena_mutex;
+std::unique_ptr<tbb::global_control> allowed;  // else TBB complains where more threads than cores are asked for
 std::shared_ptr<tbb::task_arena> arena;
 std::atomic<int> threads{0};
 
 std::shared_ptr<tbb::task_arena> current_arena() {
   const std::lock_guard lock(arena_mutex);
-  if (!arena) arena = std::make_shared<tbb::task_arena>(thread_count());
+  if (!arena) {
+    const int count = std::max(thread_count(), tbb::info::default_concurrency());
+    allowed = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, size_t(count));
+    arena = std::make_shared<tbb::task_arena>(thread_count());
+  }
   return arena;
 }
 
@@ -53,6 +59,10 @@ void parallel_for(size_t n, size_t grain, FunctionRef<void(size_t, size_t)> body
         },
         tbb::simple_partitioner());
   });
+}
+
+void within_thread_limit(FunctionRef<void()> work) {
+  current_arena()->execute([&] { work(); });
 }
 
 #if defined(__SSE__)

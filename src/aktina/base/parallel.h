@@ -15,6 +15,9 @@ int thread_count();
 /// inside. An exception in a body ends the loop and comes out here.
 void parallel_for(size_t n, size_t grain, FunctionRef<void(size_t begin, size_t end)> body);
 
+/// Runs work that a library spreads over threads of its own accord (Embree's builds), within the same limit.
+void within_thread_limit(FunctionRef<void()> work);
+
 /// Flushes denormal numbers to zero in this thread while it lives (they make pow several times slower).
 class FlushDenormals {
  public:

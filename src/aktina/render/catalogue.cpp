@@ -9,6 +9,9 @@
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/solver.h"
 #include "aktina/raster/shading/shading_method.h"
+#include "aktina/trace/accelerator/accelerator.h"
+#include "aktina/trace/integrator/integrator.h"
+#include "aktina/trace/primitive/primitive.h"
 
 namespace aktina {
 namespace {
@@ -58,6 +61,11 @@ const std::vector<Family>& families() {
        rows(normals())},
       {"shading", "Shading interpolation", "How light is carried from the corners of a triangle into its inside.",
        "raster/shading", rows(shading_methods())},
+      {"primitive", "Analytic shapes", "What rays meet without triangles.", "trace/primitive", rows(primitives())},
+      {"accelerator", "Accelerators", "How the first thing that a ray meets is found.", "trace/accelerator",
+       rows(accelerators())},
+      {"integrator", "Integrators", "How light is gathered along the rays of a picture.", "trace/integrator",
+       rows(integrators())},
       {"radiosity", "Radiosity solvers", "How the light between diffuse surfaces is balanced.", "radiosity/solver",
        rows(solvers())},
   };

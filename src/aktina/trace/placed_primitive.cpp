@@ -43,6 +43,23 @@ Vec2 uv_by_height(float height, Point3 p) {
 Vec2 uv(const Cylinder& c, Point3 p) { return uv_by_height(c.height, p); }
 Vec2 uv(const Cone& c, Point3 p) { return uv_by_height(c.height, p); }
 
+/// Moves p across the axis to the given distance from it.
+Point3d at_radius(Point3d p, double radius) {
+  const double r = std::hypot(p.x, p.z), scale = r > 0 ? radius / r : 0;
+  return {p.x * scale, p.y, p.z * scale};
+}
+
+Point3d snap(const Sphere& s, Point3d p) {
+  const double r = length(p);
+  return r > 0 ? p * (double(std::abs(s.radius)) / r) : p;
+}
+Point3d snap(const Disc& /*disc*/, Point3d p) { return {p.x, 0, p.z}; }
+Point3d snap(const Cylinder& c, Point3d p) { return at_radius(p, double(c.radius)); }
+Point3d snap(const Cone& c, Point3d p) {
+  const double h = double(c.height), t = h > 0 ? std::clamp(p.y / h, 0.0, 1.0) : 0;
+  return at_radius(p, double(c.radius) + (double(c.top_radius) - double(c.radius)) * t);
+}
+
 }  // namespace
 
 PlacedPrimitive::PlacedPrimitive(const Primitive& shape, const Mat4& to_world)
@@ -64,6 +81,12 @@ std::optional<Hit> PlacedPrimitive::intersect(const Ray& ray) const {
   hit.distance = float(found->t);
   hit.normal = Vec3(glm::transpose(glm::dmat3(to_local_)) * found->normal);
   return hit;
+}
+
+Point3 PlacedPrimitive::snap(Point3 world) const {
+  const Point3d local = Vec3d(to_local_ * glm::dvec4(Vec3d(world), 1));
+  const Point3d there = std::visit([&](const auto& shape) { return aktina::snap(shape, local); }, *shape_);
+  return Vec3(Mat4d(to_world_) * glm::dvec4(there, 1));
 }
 
 Vec2 PlacedPrimitive::uv(Point3 world) const {

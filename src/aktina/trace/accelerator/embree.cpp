@@ -114,6 +114,7 @@ class Embree final : public Accelerator {
   }
 
  private:
+  void build_here(const Scene& scene);
   SceneHandle new_scene() const;
   Geometry triangles(const Mesh& mesh, const Mat4& to_world) const;
   Geometry shared(const Scene& scene, size_t mesh, const Mat4& to_world);
@@ -197,7 +198,11 @@ Geometry Embree::primitive(const Primitive& shape, const Mat4& to_world) {
 }
 
 void Embree::build(const Scene& scene) {
-  device_.reset(rtcNewDevice(fmt::format("threads={}", thread_count()).c_str()));
+  within_thread_limit([&] { build_here(scene); });
+}
+
+void Embree::build_here(const Scene& scene) {
+  device_.reset(rtcNewDevice(nullptr));
   if (!device_) throw Error(Code::unsupported, "embree", "this processor is not supported");
   native16_ = rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   top_ = new_scene();

@@ -1,0 +1,116 @@
+#include "aktina/trace/emitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aktina/trace/placed_primitive.h"
+
+namespace aktina {
+namespace {
+
+struct LocalSample {
+  Point3 position;
+  Vec3 normal;
+};
+
+Vec3 around(float u) { return {std::cos(float(2 * kPi) * u), 0, std::sin(float(2 * kPi) * u)}; }
+
+LocalSample sample_shape(const Sphere& s, Vec2 u) {
+  const float y = 1 - 2 * u.y;
+  const Vec3 n = around(u.x) * std::sqrt(std::max(0.0f, 1 - y * y)) + Vec3(0, y, 0);
+  return {n * s.radius, n};
+}
+LocalSample sample_shape(const Disc& d, Vec2 u) { return {around(u.x) * (d.radius * std::sqrt(u.y)), {0, 1, 0}}; }
+LocalSample sample_shape(const Cone& c, Vec2 u) {
+  // Evenly over the area: the share below height t is (r t + (r_top - r) t^2 / 2) / ((r + r_top) / 2).
+  const float r = c.radius, grow = c.top_radius - c.radius, sum = (c.radius + c.top_radius) * u.y;
+  const float t = std::clamp(sum / std::max(r + std::sqrt(std::max(r * r + grow * sum, 0.0f)), 1e-20f), 0.0f, 1.0f);
+  const Vec3 out = around(u.x);
+  return {out * (r + grow * t) + Vec3(0, c.height * t, 0), normalize_or(out * c.height - Vec3(0, grow, 0), {0, 1, 0})};
+}
+LocalSample sample_shape(const Cylinder& c, Vec2 u) { return sample_shape(Cone{c.radius, c.radius, c.height}, u); }
+
+Vec2 mix(const std::vector<Vec2>& uv, const std::array<uint32_t, 3>& t, float b1, float b2) {
+  return uv.empty() ? Vec2(0) : uv[t[0]] * (1 - b1 - b2) + uv[t[1]] * b1 + uv[t[2]] * b2;
+}
+
+/// How much a piece of surface with this normal (own space) grows when it is placed: |det M| |M^-T n|.
+float area_scale(const Mat4& m, float length_of_world_normal) {
+  return std::abs(glm::determinant(Mat3(m))) * length_of_world_normal;
+}
+
+bool even(const Material& m) { return !m.emission_texture && m.alpha_mode == AlphaMode::opaque; }
+
+}  // namespace
+
+EmitterSample Emitter::sample(Vec2 u) const {
+  EmitterSample s;
+  if (primitive) {
+    const LocalSample local = std::visit([&](const auto& shape) { return sample_shape(shape, u); }, *primitive);
+    const Vec3 n = glm::transpose(glm::inverse(Mat3(to_world))) * local.normal;
+    s.position = transform_point(to_world, local.position);
+    s.normal = normalize_or(n, {0, 1, 0});
+    s.area_pdf = area_pdf(n);
+    return s;
+  }
+  const float root = std::sqrt(u.x), b1 = root * (1 - u.y), b2 = root * u.y;
+  s.position = corner + edge[0] * b1 + edge[1] * b2;
+  s.normal = normal;
+  s.area_pdf = 1 / area;
+  if (!even(*material))
+    for (int k = 0; k < 2; ++k) s.uv[k] = mix(mesh->uv[k], mesh->triangles[triangle], b1, b2);
+  return s;
+}
+
+float Emitter::area_pdf(Vec3 hit_normal) const {
+  return primitive ? 1 / (area * area_scale(to_world, length(hit_normal))) : 1 / area;
+}
+
+Rgb Emitter::radiance(const Scene& scene, const Vec2 uv[2]) const {
+  if (even(*material)) return material->emission.v;
+  const MaterialPoint point = evaluate(scene, *material, uv, Vec4(1));
+  return point.emission.v * point.alpha;
+}
+
+Rgb Emitter::mean_radiance(const Scene& scene) const {
+  if (even(*material)) return material->emission.v;
+  constexpr int kSteps = 4;
+  Rgb sum;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const EmitterSample s = sample({(float(i) + 0.5f) / kSteps, (float(j) + 0.5f) / kSteps});
+      sum += radiance(scene, s.uv);
+    }
+  return sum / (kSteps * kSteps);
+}
+
+LampBounds Emitter::bounds(const Scene& scene) const {
+  LampBounds b;
+  if (lamp) {
+    const auto* spot = std::get_if<SpotLight>(lamp);
+    const auto* point = std::get_if<PointLight>(lamp);
+    b.box.add(spot ? spot->position : point->position);
+    b.power = luminance(spot ? spot->intensity.v : point->intensity.v);
+    b.spread = spot ? 0 : float(kPi);
+    if (spot) b.axis = spot->direction, b.beam = spot->outer_angle;
+    return b;
+  }
+  b.power = luminance(mean_radiance(scene)) * area;
+  if (primitive) {
+    b.box = PlacedPrimitive(*primitive, to_world).bounds();
+    const float scale = std::cbrt(std::abs(glm::determinant(Mat3(to_world))));
+    b.power *= scale * scale;
+    b.spread = float(kPi);
+    if (std::holds_alternative<Disc>(*primitive) && !material->double_sided) {
+      b.axis = normalize_or(glm::transpose(glm::inverse(Mat3(to_world))) * Vec3(0, 1, 0), {0, 1, 0});
+      b.spread = 0;
+    }
+    return b;
+  }
+  for (const Point3 p : {corner, corner + edge[0], corner + edge[1]}) b.box.add(p);
+  b.axis = normal;
+  if (material->double_sided) b.spread = float(kPi);
+  return b;
+}
+
+}  // namespace aktina
