@@ -1,0 +1,103 @@
+#include "aktina/radiosity/solver/direct_light.h"
+
+#include <algorithm>
+
+#include "aktina/base/parallel.h"
+#include "aktina/base/random.h"
+
+namespace aktina {
+namespace {
+
+constexpr uint32_t kLampSamples = 4;  // places on a patch, each with a ray to each lamp
+constexpr uint32_t kSkySamples = 64;  // places on a patch, each with a ray to the sky
+constexpr size_t kGrain = 64;         // sides
+
+Point3 place_on(const PatchMesh& mesh, uint32_t patch, Vec2 u) {
+  const auto& c = mesh.patches[patch];
+  const auto p = [&](size_t k) { return mesh.positions[c[k]]; };
+  if (mesh.is_quad(patch)) return (p(0) * (1 - u.x) + p(1) * u.x) * (1 - u.y) + (p(3) * (1 - u.x) + p(2) * u.x) * u.y;
+  const float root = __builtin_sqrtf(u.x);
+  return p(0) * (1 - root) + (p(1) * (1 - u.y) + p(2) * u.y) * root;
+}
+
+/// A ray and what arrives along it if nothing is in between.
+struct Question {
+  Ray ray;
+  Rgb light;
+};
+
+class SideLight {
+ public:
+  SideLight(const Scene& scene, const Sides& sides, const Visibility& visibility, uint32_t seed)
+      : scene_(scene), sides_(sides), visibility_(visibility), seed_(seed) {}
+
+  Rgb of(size_t side) {
+    questions_.clear();
+    const uint32_t seed = hash_combine(seed_, uint32_t(side));
+    for (uint32_t k = 0; k < kLampSamples; ++k) {
+      const Point3 x = place_on(sides_.mesh(), sides_.patch(side), sobol_owen(k, seed));
+      for (const PlacedLight& lamp : scene_.lights) ask(x, sides_.normal(side), lamp.light);
+    }
+    if (scene_.environment.shines())
+      for (uint32_t k = 0; k < kSkySamples; ++k)
+        ask_sky(place_on(sides_.mesh(), sides_.patch(side), sobol_owen(k, seed)), sides_.normal(side),
+                sobol_owen(k, hash32(seed)));
+    return answer();
+  }
+
+ private:
+  void ask(Point3 x, Vec3 n, const Light& lamp) {
+    const LightSample s = sample(lamp, x);
+    const float cosine = dot(s.wi, n);
+    if (cosine > 0 && !is_black(s.e_perp.v))
+      questions_.push_back({visibility_.towards(x, n, s.wi, s.distance), s.e_perp.v * (cosine / float(kLampSamples))});
+  }
+  void ask_sky(Point3 x, Vec3 n, Vec2 u) {
+    const Vec3 direction = Frame(n).to_world(sample_cosine_hemisphere(u));
+    const Rgb l = radiance(scene_.environment, direction).v;
+    if (!is_black(l)) questions_.push_back({visibility_.towards(x, n, direction), l * float(kPi / kSkySamples)});
+  }
+
+  Rgb answer() const {
+    Rgb sum;
+    for (size_t first = 0; first < questions_.size(); first += kPacket) {
+      const size_t count = std::min(questions_.size() - first, size_t(kPacket));
+      RayPacket rays{};
+      float shares[kPacket];
+      for (size_t i = 0; i < count; ++i) rays.set(int(i), questions_[first + i].ray);
+      visibility_.passing(rays, (1U << count) - 1, Coherence::incoherent, shares);
+      for (size_t i = 0; i < count; ++i) sum += questions_[first + i].light * shares[i];
+    }
+    return sum;
+  }
+
+  const Scene& scene_;
+  const Sides& sides_;
+  const Visibility& visibility_;
+  uint32_t seed_;
+  std::vector<Question> questions_;
+};
+
+}  // namespace
+
+bool has_lamps(const Scene& scene) { return !scene.lights.empty() || scene.environment.shines(); }
+
+std::vector<double> direct_light(const Scene& scene, const Sides& sides, const Visibility& visibility, uint32_t seed,
+                                 Progress* progress) {
+  std::vector<double> illuminance;
+  if (!has_lamps(scene)) return illuminance;
+  illuminance.resize(sides.size() * 3);
+  if (progress) progress->begin("direct light", "patches", sides.size());
+  parallel_for(sides.size(), kGrain, [&](size_t begin, size_t end) {
+    if (progress && progress->cancelled()) return;
+    SideLight light(scene, sides, visibility, seed);
+    for (size_t s = begin; s < end; ++s) {
+      const Rgb h = light.of(s);
+      for (int c = 0; c < 3; ++c) illuminance[s * 3 + size_t(c)] = double(h[c]);
+    }
+    if (progress) progress->advance(end - begin);
+  });
+  return illuminance;
+}
+
+}  // namespace aktina

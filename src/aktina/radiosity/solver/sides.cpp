@@ -1,0 +1,55 @@
+#include "aktina/radiosity/solver/sides.h"
+
+#include <algorithm>
+
+namespace aktina {
+
+Sides::Sides(const PatchMesh& mesh) : mesh_(&mesh) {
+  centres_.reserve(mesh.size());
+  for (size_t i = 0; i < mesh.size(); ++i) {
+    const auto& c = mesh.patches[i];
+    const Point3 three = mesh.positions[c[0]] + mesh.positions[c[1]] + mesh.positions[c[2]];
+    centres_.push_back(mesh.is_quad(i) ? 0.25f * (three + mesh.positions[c[3]]) : three * (1.0f / 3));
+  }
+  for (const PatchMesh::Shooter& each : mesh.shooters) shooters_.push_back(shooter(each, each.first, false));
+  for (const PatchMesh::Shooter& each : mesh.shooters) {
+    if (!mesh.two_sided[each.first]) continue;  // patches of one face are of one material
+    shooters_.push_back(shooter(each, uint32_t(size()), true));
+    for (uint32_t i = 0; i < each.count; ++i) backs_.push_back(each.first + i);
+  }
+}
+
+Sides::Shooter Sides::shooter(const PatchMesh::Shooter& of, uint32_t first, bool back) const {
+  Shooter s{{first, of.count}, {}, mesh_->patch_normals[of.first], false};
+  for (size_t k = 0; k < 4; ++k) s.corners[k] = mesh_->positions[of.corners[k]];
+  if (back) {
+    const bool quad = of.corners[2] != of.corners[3];
+    std::reverse(s.corners.begin(), s.corners.begin() + (quad ? 4 : 3));
+    if (!quad) s.corners[3] = s.corners[2];
+    s.normal = -s.normal;
+  }
+  for (uint32_t i = of.first; i < of.first + of.count; ++i) s.emits = s.emits || !is_black(mesh_->emissions[i].v);
+  return s;
+}
+
+RadiosityProblem Sides::problem() const {
+  RadiosityProblem p;
+  p.bands = 3;
+  p.weights = {0.2126, 0.7152, 0.0722};  // luminance()
+  bool passes = false;
+  for (size_t s = 0; s < size(); ++s) {
+    const uint32_t i = patch(s);
+    p.areas.push_back(double(mesh_->areas[i]));
+    for (int c = 0; c < 3; ++c) {
+      p.reflectances.push_back(double(mesh_->reflectances[i][c]));
+      p.emissions.push_back(double(mesh_->emissions[i].v[c]));
+      p.passing.push_back(double(mesh_->transmittances[i][c]));
+      passes = passes || p.passing.back() > 0;
+    }
+  }
+  if (!passes) p.passing.clear();
+  for (const Shooter& s : shooters_) p.shooters.push_back(s.range);
+  return p;
+}
+
+}  // namespace aktina
