@@ -3,10 +3,10 @@
 
 namespace aktina::app {
 
-extern const Command methods_command, validate_command;
+extern const Command render_command, methods_command, validate_command;
 
 std::span<const Command* const> commands() {
-  static constexpr const Command* kTable[] = {&methods_command, &validate_command};
+  static constexpr const Command* kTable[] = {&render_command, &methods_command, &validate_command};
   return kTable;
 }
 

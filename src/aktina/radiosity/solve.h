@@ -28,7 +28,7 @@ struct RadiosityOptions {
     Radiosity ambient;
     const Solution* solution;
   };
-  std::function<void(const Step&)> each_step;
+  std::function<void(const Step&)> each_step{};
 };
 
 /// Light sources are emissive surfaces, and the scene's point, spot, directional and environment lights (as direct
@@ -52,7 +52,7 @@ LayeredImage render_solution(const Scene& scene, const Solution& solution, const
 struct TwoPassOptions {
   int samples = 16;  // per pixel
   uint32_t seed = 0;
-  std::function<void(const LayeredImage& picture, int samples)> each_pass;
+  std::function<void(const LayeredImage& picture, int samples)> each_pass{};
 };
 LayeredImage render_two_pass(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height,
                              const TwoPassOptions& options = {}, Progress* progress = nullptr);

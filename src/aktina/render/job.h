@@ -16,13 +16,13 @@ struct RenderOptions {
   /// "raster"; an integrator ("whitted", "direct", "path"); "radiosity" or "two_pass". With parameters after a colon.
   std::string method = "path";
   std::string shading = "phong", illumination = "phong";  // raster
-  RadiosityOptions radiosity;                             // radiosity, two_pass
+  RadiosityOptions radiosity{};                           // radiosity, two_pass
   int width = 0, height = 0;                              // px; 0: from the camera's aspect, 960 px wide
   int samples = 0;                                        // per pixel; 0: the method's own default
   int camera = 0;                                         // index into Scene::cameras
   uint32_t seed = 0;
-  std::vector<std::string> layers;  // "albedo", "N", "P", "Z", "direct", "indirect", "illuminance"
-  std::function<void(const LayeredImage& picture)> each_pass;
+  std::vector<std::string> layers{};  // "albedo", "N", "P", "Z", "direct", "indirect", "illuminance"
+  std::function<void(const LayeredImage& picture)> each_pass{};
 };
 
 struct Rendering {

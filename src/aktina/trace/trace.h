@@ -22,7 +22,7 @@ struct TraceOptions {
   bool albedo = false, normal = false, position = false, depth = false;
   bool direct = false, indirect = false, illuminance = false;
   /// Called after each progressive pass with the picture so far, and how many samples a pixel it has.
-  std::function<void(const LayeredImage& picture, int samples)> each_pass;
+  std::function<void(const LayeredImage& picture, int samples)> each_pass{};
 };
 
 struct TraceStatistics {

@@ -1,0 +1,192 @@
+// aktina render: a scene and a camera -> a picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "aktina/base/error.h"
+#include "aktina/image/file_format.h"
+#include "aktina/render/job.h"
+#include "scene_options.h"
+
+namespace aktina::app {
+namespace {
+
+constexpr std::string_view kWays[] = {"raster"};
+constexpr std::string_view kCurves[] = {"none", "reinhard", "filmic"};
+constexpr std::string_view kFormats[] = {"png", "pfm"};
+
+/// "640x480", "640x" (the height follows from the camera) or "x480".
+void read_size(const std::string& text, RenderOptions& options) {
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto parsed = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (parsed.ec == std::errc::result_out_of_range) throw Error(Code::limit, "--size", fmt::format("got {}", text));
+    if (parsed.ec != std::errc() || parsed.ptr != part.data() + part.size() || value < 1)
+      throw Error(Code::usage, "--size", fmt::format("'{}' is not a size", text), "WIDTHxHEIGHT, as 960x640");
+    return value;
+  };
+  if (text.empty()) return;
+  const std::string_view all = text;
+  const size_t cross = all.find('x');
+  const std::string_view width = all.substr(0, cross), height = cross == all.npos ? "" : all.substr(cross + 1);
+  if (cross == all.npos || (width.empty() && height.empty())) number("");
+  if (!width.empty()) options.width = number(width);
+  if (!height.empty()) options.height = number(height);
+}
+
+/// By name, or by number from 0.
+int find_camera(const Scene& scene, const std::string& wanted) {
+  if (wanted.empty()) return 0;
+  std::vector<std::string_view> names;
+  for (const Camera& camera : scene.cameras) {
+    if (camera.name == wanted) return int(names.size());
+    names.push_back(camera.name);
+  }
+  int index = -1;
+  const auto parsed = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (parsed.ec == std::errc() && parsed.ptr == wanted.data() + wanted.size() && index >= 0 &&
+      size_t(index) < names.size())
+    return index;
+  throw Error(Code::usage, "--camera", fmt::format("the scene has no camera '{}'", wanted),
+              fmt::format("it has: {} (or by number, from 0)", fmt::join(names, ", ")));
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find(',', at), text.size());
+    if (end > at) parts.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+float read_exposure(const std::string& text) {
+  if (text == "auto") return 0;
+  float value = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || !(value > 0 && value < kInfinity))
+    throw Error(Code::usage, "--exposure", fmt::format("'{}' is neither auto nor a number above 0", text));
+  return value;
+}
+
+RenderOptions read_options(const Arguments& arguments) {
+  RenderOptions options;
+  options.method = arguments.text("method");
+  options.shading = arguments.text("shading");
+  options.illumination = arguments.text("illumination");
+  options.samples = int(arguments.whole("samples"));
+  options.seed = uint32_t(arguments.whole("seed"));
+  options.layers = split(arguments.text("layers"));
+  read_size(arguments.text("size"), options);
+  return options;
+}
+
+void write(const std::vector<Path>& outputs, const Rendering& rendering, ToneMapping tone_mapping, Session& session) {
+  ImageWriteOptions options{.tone_mapping = tone_mapping, .metadata = provenance(rendering.report)};
+  options.metadata.emplace_back("Exposure", fmt::format("{}", tone_mapping.exposure));
+  for (const Path& output : outputs) {
+    write_image(output, rendering.picture, options);
+    session.wrote(output);
+  }
+}
+
+int run(const Arguments& arguments, Session& session) {
+  RenderOptions options = read_options(arguments);
+  ToneMapping tone_mapping{.exposure = read_exposure(arguments.text("exposure"))};
+  tone_mapping.curve =
+      ToneCurve(std::find(std::begin(kCurves), std::end(kCurves), arguments.text("tone")) - std::begin(kCurves));
+  const std::vector<Path> outputs = checked_outputs(arguments, session, kFormats);
+
+  const LoadedScene loaded = load(arguments, session);
+  options.camera = find_camera(loaded.scene, arguments.text("camera"));
+  session.begin_work();
+  Rendering rendering = render(loaded.scene, options, session.progress());
+
+  complete(rendering.report, loaded, session);
+  Stopwatch watch;
+  if (tone_mapping.exposure == 0) tone_mapping.exposure = automatic_exposure(rendering.picture.layers[0].image);
+  write(outputs, rendering, tone_mapping, session);
+  rendering.report.time("write", watch.lap());
+  rendering.report.count("exposure", double(tone_mapping.exposure), "1/(cd/m^2)");
+  return session.finish(rendering.report, "");
+}
+
+constexpr Option kOptions[] = {
+    {.name = "output",
+     .help = "the picture: .png (exposed, sRGB), .exr (linear, with layers), .hdr or .pfm; may be given again",
+     .kind = Kind::file,
+     .value = "FILE",
+     .letter = 'o',
+     .required = true,
+     .several = true,
+     .affects_result = false},
+    {.name = "method",
+     .help = "how light is computed; parameters follow a colon, as path:depth=8",
+     .kind = Kind::choice,
+     .value = "METHOD",
+     .fallback = "raster",
+     .letter = 'm',
+     .choices = kWays},
+    {.name = "shading",
+     .help = "of --method raster: what is interpolated across a triangle, as gouraud or phong",
+     .kind = Kind::text,
+     .value = "METHOD",
+     .fallback = "phong"},
+    {.name = "illumination",
+     .help = "of --method raster: how a surface reflects",
+     .kind = Kind::method,
+     .value = "METHOD",
+     .fallback = "phong",
+     .family = "illumination"},
+    {.name = "size",
+     .help = "of the picture in pixels; 960x: the height follows from the camera (default 960x)",
+     .kind = Kind::text,
+     .value = "WxH"},
+    {.name = "samples",
+     .help = "per pixel; 0: the method's own default",
+     .kind = Kind::whole,
+     .value = "N",
+     .fallback = "0",
+     .letter = 's',
+     .min = 0,
+     .max = 1 << 20},
+    {.name = "camera", .help = "by name, or by number from 0 (default the first)", .kind = Kind::text, .value = "NAME"},
+    kSeed,
+    {.name = "exposure",
+     .help = "factor on the luminance before it is shown (PNG); auto: from the picture",
+     .kind = Kind::text,
+     .value = "X",
+     .fallback = "auto"},
+    {.name = "tone",
+     .help = "curve from exposed luminance to the screen (PNG)",
+     .kind = Kind::choice,
+     .value = "CURVE",
+     .fallback = "none",
+     .choices = kCurves},
+    {.name = "layers",
+     .help = "more layers of an .exr, separated by commas: albedo, N (normal), P (position), Z (depth)",
+     .kind = Kind::text,
+     .value = "LIST"},
+    kUnits,
+};
+constexpr Example kExamples[] = {
+    {"a picture", "aktina render room.glb -o room.png"},
+    {"quick, at a given size", "aktina render room.glb -o room.png --method raster --shading gouraud --size 640x480"},
+};
+
+}  // namespace
+
+extern constinit const Command render_command = {
+    "render",
+    "draw a picture of a scene",
+    "Draws what a camera of the scene sees. Scenes without a camera are framed, scenes without light get a documented "
+    "default light, and the program says so. Ctrl-C stops and writes the picture as far as it is.",
+    kSceneInput,
+    kOptions,
+    true,
+    kExamples,
+    run};
+
+}  // namespace aktina::app

@@ -1,0 +1,97 @@
+#include "aktina/render/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aktina/base/error.h"
+#include "aktina/base/parallel.h"
+#include "aktina/render/picture_job.h"
+
+namespace aktina {
+namespace {
+
+constexpr int kWidth = 960, kLargestSide = 1 << 16;
+constexpr uint64_t kMostPicturePixels = uint64_t(1) << 27;  // 1.6 GB a layer of three channels
+constexpr float kAspect = 1.5f;                             // of a camera that leaves it open
+
+struct Way {
+  std::string_view method;
+  LayeredImage (*draw)(PictureJob&);
+};
+constexpr Way kWays[] = {{"raster", draw_by_raster}};
+
+const Camera& chosen_camera(const Scene& scene, int index) {
+  if (scene.cameras.empty()) throw Error(Code::usage, "camera", "the scene has none");
+  if (index < 0 || size_t(index) >= scene.cameras.size())
+    throw Error(Code::usage, "camera", fmt::format("there is no camera {}", index),
+                fmt::format("the scene has cameras 0 .. {}", scene.cameras.size() - 1));
+  return scene.cameras[size_t(index)];
+}
+
+void fill_size(const Camera& camera, int& width, int& height) {
+  const double aspect = double(camera.aspect > 0 ? camera.aspect : kAspect);
+  if (width == 0) width = height == 0 ? kWidth : int(std::lround(std::clamp(height * aspect, 1.0, 1e9)));
+  if (height == 0) height = int(std::lround(std::clamp(width / aspect, 1.0, 1e9)));
+  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide ||
+      uint64_t(width) * uint64_t(height) > kMostPicturePixels)
+    throw Error(Code::limit, "size", fmt::format("got {} x {} px", width, height),
+                fmt::format("at least 1 x 1, sides up to {}, {} pixels in all", kLargestSide, kMostPicturePixels));
+}
+
+Report begin_report(const Scene& scene, uint32_t seed) {
+  Report report;
+  report.seed = seed;
+  report.scene_file = display(Path(scene.source).filename());
+  report.scene_hash = hash(scene).text();
+  report.threads = thread_count();
+  report.warnings.add(scene.warnings);
+  return report;
+}
+
+/// The command that repeats the picture.
+std::string settings(const PictureJob& job) {
+  const RenderOptions& o = job.options;
+  std::string line = fmt::format("render {} --method {}", job.report.scene_file, o.method);
+  if (o.method == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
+  line += fmt::format(" --size {}x{} --seed {}", job.width, job.height, o.seed);
+  if (o.samples > 0) line += fmt::format(" --samples {}", o.samples);
+  if (o.camera > 0) line += fmt::format(" --camera {}", o.camera);
+  if (!o.layers.empty()) line += fmt::format(" --layers {}", fmt::join(o.layers, ","));
+  return line;
+}
+
+LayeredImage draw(PictureJob& job) {
+  const std::string id = parse_method(job.options.method).id;
+  for (const Way& way : kWays)
+    if (way.method == id) return way.draw(job);
+  no_such_method("render", id, "raster");
+}
+
+}  // namespace
+
+bool PictureJob::wants(std::string_view layer) const {
+  return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
+}
+
+void check_layers(const PictureJob& job, std::span<const std::string_view> known) {
+  for (const std::string& layer : job.options.layers)
+    if (std::find(known.begin(), known.end(), layer) == known.end())
+      throw Error(Code::usage, "layers", fmt::format("method {} has no layer '{}'", job.options.method, layer),
+                  fmt::format("it has: {}", fmt::join(known, ", ")));
+}
+
+Rendering render(const Scene& scene, const RenderOptions& options, Progress& progress) {
+  const Camera& camera = chosen_camera(scene, options.camera);
+  int width = options.width, height = options.height;
+  fill_size(camera, width, height);
+  Rendering result;
+  result.report = begin_report(scene, options.seed);
+  PictureJob job{scene, options, camera, width, height, progress, result.report};
+  result.report.settings = settings(job);
+  result.picture = draw(job);
+  return result;
+}
+
+}  // namespace aktina
