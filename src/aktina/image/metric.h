@@ -9,13 +9,13 @@
 namespace aktina {
 
 struct ImageComparison {
-  double rmse = 0;              // root of the mean squared difference over all channels
-  double psnr = 0;              // dB, against the peak of the reference; infinity where equal
-  double max_error = 0;         // largest absolute difference
-  double relative_mse = 0;      // mean of (a - b)^2 / (b^2 + 0.01)
-  double ssim = 1;              // structural similarity of luminance (Wang et al. 2004), 1: equal
-  double flip = 0;              // mean FLIP (Andersson et al. 2020; HDR: 2021), 0: equal
-  bool flip_hdr = false;        // which of the two
+  double rmse = 0;  // root of the mean squared difference over all channels
+  double psnr = 0;  // dB: peak over RMSE; the peak is 1, of HDR the reference's largest value; infinity where equal
+  double max_error = 0;                         // largest absolute difference
+  double relative_mse = 0;                      // mean of (a - b)^2 / (b^2 + 0.01)
+  double ssim = 1;                              // structural similarity of luminance (Wang et al. 2004), 1: equal
+  double flip = 0;                              // mean FLIP (Andersson et al. 2020; HDR: 2021), 0: equal
+  bool flip_hdr = false;                        // which of the two
   uint64_t non_finite_a = 0, non_finite_b = 0;  // values that are NaN or infinite, taken as 0
 };
 
