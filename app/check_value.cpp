@@ -38,10 +38,21 @@ void check_choice(const Option& option, const std::string& name, const std::stri
               fmt::format("there are: {}", fmt::join(option.choices.begin(), option.choices.end(), ", ")));
 }
 
-/// The method must be in the catalogue and its parameters within their ranges.
-void check_method(const Option& option, const std::string& text) {
+/// The method must be in the catalogue and its parameters within their ranges, or one of the option's own words.
+void check_method(const Option& option, const std::string& name, const std::string& text) {
   const MethodChoice choice = parse_method(text);
-  ParamSet params(find_method(find_family(option.family), choice.id));
+  if (std::find(option.choices.begin(), option.choices.end(), choice.id) != option.choices.end()) {
+    if (!choice.values.empty()) throw Error(Code::usage, name, fmt::format("{} takes no parameters", choice.id));
+    return;
+  }
+  std::vector<std::string_view> known(option.choices.begin(), option.choices.end());
+  const MethodInfo* chosen = nullptr;
+  for (const MethodInfo* method : find_family(option.family).methods) {
+    if (method->id == choice.id) chosen = method;
+    known.push_back(method->id);
+  }
+  if (!chosen) no_such_method(option.family, choice.id, fmt::format("{}", fmt::join(known, ", ")));
+  ParamSet params(*chosen);
   for (const auto& [id, value] : choice.values) params.set(id, value);
 }
 
@@ -59,7 +70,7 @@ void check_value(const Option& option, const std::string& name, const std::strin
     case Kind::choice:
       return check_choice(option, name, text);
     case Kind::method:
-      return check_method(option, text);
+      return check_method(option, name, text);
     case Kind::flag:
     case Kind::text:
     case Kind::file:

@@ -19,7 +19,7 @@ enum class Kind : uint8_t {
   number,  // within [min, max]
   whole,   // a whole number within [min, max]
   choice,  // one of `choices`
-  method,  // METHOD or METHOD:parameter=number,... of the catalogue's `family`
+  method,  // METHOD or METHOD:parameter=number,... of the catalogue's `family`, or one of `choices`
 };
 
 struct Option {

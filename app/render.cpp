@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kWays[] = {"raster"};
 constexpr std::string_view kCurves[] = {"none", "reinhard", "filmic"};
-constexpr std::string_view kFormats[] = {"png", "pfm"};
+constexpr std::string_view kFormats[] = {"png", "exr", "hdr", "pfm"};
 
 /// "640x480", "640x" (the height follows from the camera) or "x480".
 void read_size(const std::string& text, RenderOptions& options) {
@@ -124,16 +124,18 @@ constexpr Option kOptions[] = {
      .affects_result = false},
     {.name = "method",
      .help = "how light is computed; parameters follow a colon, as path:depth=8",
-     .kind = Kind::choice,
+     .kind = Kind::method,
      .value = "METHOD",
-     .fallback = "raster",
+     .fallback = "path",
      .letter = 'm',
-     .choices = kWays},
+     .choices = kWays,
+     .family = "integrator"},
     {.name = "shading",
      .help = "of --method raster: what is interpolated across a triangle, as gouraud or phong",
-     .kind = Kind::text,
+     .kind = Kind::method,
      .value = "METHOD",
-     .fallback = "phong"},
+     .fallback = "phong",
+     .family = "shading"},
     {.name = "illumination",
      .help = "of --method raster: how a surface reflects",
      .kind = Kind::method,

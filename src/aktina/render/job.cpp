@@ -7,6 +7,7 @@
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
+#include "aktina/render/catalogue.h"
 #include "aktina/render/picture_job.h"
 
 namespace aktina {
@@ -20,7 +21,7 @@ struct Way {
   std::string_view method;
   LayeredImage (*draw)(PictureJob&);
 };
-constexpr Way kWays[] = {{"raster", draw_by_raster}};
+constexpr Way kWays[] = {{"raster", draw_by_raster}};  // and every integrator: draw_by_rays
 
 const Camera& chosen_camera(const Scene& scene, int index) {
   if (scene.cameras.empty()) throw Error(Code::usage, "camera", "the scene has none");
@@ -66,10 +67,19 @@ LayeredImage draw(PictureJob& job) {
   const std::string id = parse_method(job.options.method).id;
   for (const Way& way : kWays)
     if (way.method == id) return way.draw(job);
-  no_such_method("render", id, "raster");
+  for (const MethodInfo* integrator : find_family("integrator").methods)
+    if (integrator->id == id) return draw_by_rays(job);
+  no_such_method("render", id, fmt::format("{}", fmt::join(render_methods(), ", ")));
 }
 
 }  // namespace
+
+std::vector<std::string_view> render_methods() {
+  std::vector<std::string_view> methods;
+  for (const Way& way : kWays) methods.push_back(way.method);
+  for (const MethodInfo* integrator : find_family("integrator").methods) methods.push_back(integrator->id);
+  return methods;
+}
 
 bool PictureJob::wants(std::string_view layer) const {
   return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();

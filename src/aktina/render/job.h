@@ -25,6 +25,9 @@ struct RenderOptions {
   std::function<void(const LayeredImage& picture)> each_pass{};
 };
 
+/// What RenderOptions::method can be.
+std::vector<std::string_view> render_methods();
+
 struct Rendering {
   LayeredImage picture;
   Report report;

@@ -13,7 +13,7 @@ namespace aktina {
 
 struct TraceOptions {
   std::string integrator = "path";  // "METHOD" or "METHOD:parameter=number,...", as integrators() lists them
-  std::string accelerator;          // as accelerators() lists them; empty: the fastest one for the scene
+  std::string accelerator{};        // as accelerators() lists them; empty: the fastest one for the scene
   int samples = 16;                 // per pixel
   uint32_t seed = 0;
   // Layers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z" (distance
