@@ -34,7 +34,8 @@ struct RadiosityOptions {
 /// Light sources are emissive surfaces, and the scene's point, spot, directional and environment lights (as direct
 /// illuminance with shadow rays). What is done when `progress` is cancelled is returned, with converged = false.
 /// The same bytes for any number of threads.
-/// @throws Error usage, bad_param, no_such_method, limit; bad_input (reflectance 1 and above, no emitter)
+/// Patches that would reflect more than 0.99 are taken to reflect that, and counted in Solution::warnings.
+/// @throws Error usage, bad_param, no_such_method, limit; bad_input (nothing shines, no surface)
 Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options = {}, Progress* progress = nullptr);
 
 /// The scene as any viewer shows it without computing light: each instance's mesh cut into its patches, H / pi (cd/m^2)

@@ -1,0 +1,197 @@
+// From a scene to the light on it: what must hold whatever the method.
+#include "aktina/radiosity/solve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "aktina/base/error.h"
+#include "aktina/base/parallel.h"
+#include "aktina/radiosity/solver/reconstruct.h"
+#include "radiosity/scenes.h"
+
+namespace aktina {
+namespace {
+
+/// A closed room with a lamp in its ceiling and a box on the floor.
+Scene lit_room() {
+  Scene scene = room({2, 2, 2}, Rgb(0.6f, 0.5f, 0.4f));
+  add_quad(scene, {0.7f, 1.999f, 0.7f}, {0.6f, 0, 0}, {0, 0, 0.6f}, Rgb(0), Rgb(100));
+  add_box(scene, {0.5f, 0, 0.5f}, {0.5f, 0.8f, 0.5f}, Rgb(0.7f));
+  return scene;
+}
+
+TEST(SolveRadiosity, UniformEmissionGivesTheFurnace) {
+  const Solution s = solve_radiosity(room({3, 2, 2.5f}, Rgb(0.5f), Rgb(10)), {.patch_size = 0.4, .tolerance = 1e-4});
+  EXPECT_TRUE(s.converged);
+  for (const Radiosity b : s.radiosities) EXPECT_NEAR(b.v.g, 20, 0.02) << "E / (1 - rho), everywhere";
+  for (const Radiosity b : s.vertex_radiosities) EXPECT_NEAR(b.v.g, 20, 0.02);
+}
+
+TEST(SolveRadiosity, ProgressiveRefinementConvergesToTheMatrixSolution) {
+  RadiosityOptions options{.patch_size = 0.4, .tolerance = 1e-5};
+  const Solution progressive = solve_radiosity(lit_room(), options);
+  options.solver = "matrix", options.tolerance = 1e-9;
+  const Solution matrix = solve_radiosity(lit_room(), options);
+  for (size_t i = 0; i < matrix.mesh.size(); ++i)
+    EXPECT_NEAR(progressive.irradiances[i].v.r, matrix.irradiances[i].v.r, 2e-4f * matrix.irradiances[i].v.r + 1e-3f);
+}
+
+TEST(SolveRadiosity, AccountsForTheEnergyOfAClosedRoom) {
+  const Solution s = solve_radiosity(lit_room(), {.patch_size = 0.2});
+  EXPECT_NEAR(s.emitted, 36, 1e-3);
+  EXPECT_NEAR(s.absorbed + s.escaped + s.unshot * s.emitted, s.emitted, 1e-4 * s.emitted);
+  EXPECT_NEAR(s.escaped, 0, 0.02 * s.emitted) << "what midpoints of patches misjudge";
+}
+
+TEST(SolveRadiosity, AmbientLightBringsEarlyStepsNearer) {
+  const Solution final = solve_radiosity(lit_room(), {.patch_size = 0.4, .tolerance = 1e-5});
+  RadiosityOptions options{.patch_size = 0.4, .most_steps = 8};
+  double plain = 0, with_ambient = 0;
+  uint64_t calls = 0;
+  options.each_step = [&](const RadiosityOptions::Step& step) {
+    EXPECT_EQ(step.step, ++calls);
+    plain = with_ambient = 0;
+    for (size_t i = 0; i < final.mesh.size(); ++i) {
+      const float target = final.radiosities[i].v.g, now = step.solution->radiosities[i].v.g;
+      plain += double(std::abs(target - now));
+      with_ambient += double(std::abs(target - now - final.mesh.reflectances[i].g * step.ambient.v.g));
+    }
+  };
+  const Solution s = solve_radiosity(lit_room(), options);
+  EXPECT_EQ(calls, 8U);
+  EXPECT_FALSE(s.converged);
+  EXPECT_LT(with_ambient, 0.5 * plain);
+}
+
+TEST(SolveRadiosity, PointLightInAnEmptyRoomIsTheInverseSquareLaw) {
+  Scene scene = room({4, 4, 4}, Rgb(0));
+  scene.lights.push_back({"lamp", PointLight{{2, 2, 2}, Intensity(Rgb(100))}, -1});
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.25});
+  for (size_t i = 0; i < s.mesh.size(); ++i) {
+    const auto& c = s.mesh.patches[i];
+    const Vec3 centre =
+        (s.mesh.positions[c[0]] + s.mesh.positions[c[1]] + s.mesh.positions[c[2]] + s.mesh.positions[c[3]]) * 0.25f;
+    const float d = length(centre - Vec3(2)), expected = 100 * 2 / (d * d * d);
+    EXPECT_NEAR(s.irradiances[i].v.r, expected, 0.03f * expected);
+    EXPECT_EQ(s.direct_irradiances[i], s.irradiances[i]);
+  }
+  EXPECT_NEAR(s.emitted, 4 * kPi * 100, 3) << "all of the lamp's flux arrives";
+}
+
+TEST(SolveRadiosity, GlassLetsItsShareThrough) {
+  Scene scene = room({2, 2, 2}, Rgb(0));
+  scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, Irradiance(Rgb(100))}, -1});
+  scene.instances.erase(scene.instances.begin() + 1);  // no ceiling
+  const size_t pane = add_quad(scene, {0, 1, 0}, {2, 0, 0}, {0, 0, 2}, Rgb(0));
+  Material& glass = scene.materials[size_t(scene.meshes[size_t(scene.instances[pane].mesh)].material)];
+  glass.alpha_mode = AlphaMode::blend, glass.alpha = 0.4f;
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.5});
+  for (size_t i = 0; i < s.mesh.size(); ++i)
+    if (s.mesh.centres[i].instance == 0) {
+      EXPECT_NEAR(s.irradiances[i].v.r, 60, 0.01);
+    }
+}
+
+TEST(SolveRadiosity, BothSidesOfATwoSidedSurfaceAreLit) {
+  Scene scene = room({2, 2, 2}, Rgb(0.5f));
+  const size_t sheet = add_quad(scene, {0.5f, 1, 0.5f}, {0, 0, 1}, {1, 0, 0}, Rgb(0.5f));  // front up
+  scene.materials.back().double_sided = true;
+  scene.lights.push_back({"lamp", PointLight{{1, 1.8f, 1}, Intensity(Rgb(100))}, -1});
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.25});
+  for (size_t i = 0; i < s.mesh.size(); ++i) {
+    const bool two_sided = s.mesh.centres[i].instance == sheet;
+    EXPECT_EQ(bool(s.mesh.two_sided[i]), two_sided);
+    if (!two_sided) {
+      EXPECT_EQ(s.back_irradiances[i], Irradiance());
+      continue;
+    }
+    EXPECT_GT(s.direct_irradiances[i].v.g, 10);
+    EXPECT_EQ(s.back_direct_irradiances[i], Irradiance());
+    EXPECT_GT(s.back_irradiances[i].v.g, 1);
+  }
+}
+
+TEST(SolveRadiosity, SameBytesForAnyNumberOfThreads) {
+  set_thread_count(1);
+  const Solution one = solve_radiosity(lit_room(), {.patch_size = 0.2, .most_steps = 40});
+  set_thread_count(2);
+  const Solution two = solve_radiosity(lit_room(), {.patch_size = 0.2, .most_steps = 40});
+  set_thread_count(0);
+  EXPECT_EQ(one.irradiances, two.irradiances);
+  EXPECT_EQ(one.vertex_irradiances, two.vertex_irradiances);
+  EXPECT_EQ(one.escaped, two.escaped);
+}
+
+TEST(SolveRadiosity, CancelledWorkIsKept) {
+  Progress progress;
+  RadiosityOptions options{.patch_size = 0.4};
+  options.each_step = [&](const RadiosityOptions::Step& step) {
+    if (step.step == 3) progress.cancel();
+  };
+  const Solution s = solve_radiosity(lit_room(), options, &progress);
+  EXPECT_EQ(s.steps, 3U);
+  EXPECT_FALSE(s.converged);
+  EXPECT_EQ(s.vertex_irradiances.size(), s.mesh.positions.size());
+}
+
+TEST(SolveRadiosity, RefusesASceneWithoutLight) {
+  EXPECT_THAT(
+      [] {
+        solve_radiosity(room({1, 1, 1}, Rgb(0.5f)));
+      },
+      testing::ThrowsMessage<Error>(testing::HasSubstr("nothing shines")));
+}
+
+TEST(Reconstruct, ConstantsAndLinearFieldsAreExactUpToTheBorder) {
+  Scene scene;
+  add_quad(scene, {0, 0, 0}, {2, 0, 0}, {0, 0, -1}, Rgb(0.5f));
+  add_quad(scene, {2, 0, 0}, {1, 0, 0}, {0, 0, -1}, Rgb(0.5f));  // continues it
+  Solution s = solve_radiosity(
+      [&] {
+        Scene lit = scene;
+        lit.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, Irradiance(Rgb(7))}, -1});
+        return lit;
+      }(),
+      {.patch_size = 0.21});
+  for (const Irradiance h : s.vertex_irradiances) EXPECT_NEAR(h.v.r, 7, 1e-5);
+  const auto field = [](Point3 p) { return 5 + 2 * p.x - 3 * p.z; };
+  for (size_t i = 0; i < s.mesh.size(); ++i) {
+    const auto& c = s.mesh.patches[i];
+    s.irradiances[i].v = Rgb(field(
+        (s.mesh.positions[c[0]] + s.mesh.positions[c[1]] + s.mesh.positions[c[2]] + s.mesh.positions[c[3]]) * 0.25f));
+  }
+  reconstruct_vertices(s);
+  for (size_t v = 0; v < s.mesh.positions.size(); ++v)
+    EXPECT_NEAR(s.vertex_irradiances[v].v.r, field(s.mesh.positions[v]), 1e-4);
+}
+
+TEST(Reconstruct, DoesNotSmoothOverCreases) {
+  Scene scene = room({1, 1, 1}, Rgb(0));
+  scene.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, Irradiance(Rgb(7))}, -1});
+  scene.instances.erase(scene.instances.begin() + 1);
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.25});
+  for (size_t v = 0; v < s.mesh.positions.size(); ++v)
+    EXPECT_NEAR(s.vertex_irradiances[v].v.r, s.mesh.normals[v].y > 0.5f ? 7 : 0, 1e-5);
+}
+
+TEST(LitScene, ShowsRadianceWithoutComputingLight) {
+  const Scene scene = room({3, 2, 2.5f}, Rgb(0.5f, 0.25f, 0.75f), Rgb(0));
+  Scene lit_by_sun = scene;
+  lit_by_sun.instances.erase(lit_by_sun.instances.begin() + 1);
+  lit_by_sun.lights.push_back({"sun", DirectionalLight{{0, -1, 0}, Irradiance(Rgb(10))}, -1});
+  Camera camera = look_at({1.5f, 1.9f, 1.25f}, {1.5f, 0, 1.25f}, {1, 0, 0}, 0.5f);
+  const Solution s = solve_radiosity(lit_by_sun, {.patch_size = 0.25});
+  const LayeredImage picture = render_solution(lit_by_sun, s, camera, 16, 16, 1);
+  const Rgb seen = picture.layers[0].image.rgb(8, 8);
+  size_t middle = 0;
+  for (size_t v = 0; v < s.mesh.positions.size(); ++v)
+    if (length(s.mesh.positions[v] - Vec3(1.5f, 0, 1.25f)) < length(s.mesh.positions[middle] - Vec3(1.5f, 0, 1.25f)))
+      middle = v;
+  const Rgb radiosity = s.vertex_radiosities[middle].v;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], radiosity[c] * float(kInvPi), 0.02f * seen[c]);
+}
+
+}  // namespace
+}  // namespace aktina
