@@ -53,13 +53,42 @@ EmitterSample Emitter::sample(Vec2 u) const {
     s.area_pdf = area_pdf(n);
     return s;
   }
-  const float root = std::sqrt(u.x), b1 = root * (1 - u.y), b2 = root * u.y;
-  s.position = corner + edge[0] * b1 + edge[1] * b2;
   s.normal = normal;
   s.area_pdf = 1 / area;
-  if (!even(*material))
-    for (int k = 0; k < 2; ++k) s.uv[k] = mix(mesh->uv[k], mesh->triangles[triangle], b1, b2);
+  if (parallelogram) {
+    s.position = corner + edge[0] * u.x + edge[1] * u.y;
+    const bool second = u.y > u.x;  // beyond the diagonal
+    const float along = second ? u.y - u.x : u.x - u.y, diagonal = std::min(u.x, u.y);
+    if (!even(*material)) set_uv(s, triangle + second, second ? diagonal : along, second ? along : diagonal);
+    return s;
+  }
+  const float root = std::sqrt(u.x), b1 = root * (1 - u.y), b2 = root * u.y;
+  s.position = corner + edge[0] * b1 + edge[1] * b2;
+  if (!even(*material)) set_uv(s, triangle, b1, b2);
   return s;
+}
+
+void Emitter::set_uv(EmitterSample& s, uint32_t t, float b1, float b2) const {
+  for (int k = 0; k < 2; ++k) s.uv[k] = mix(mesh->uv[k], mesh->triangles[t], b1, b2);
+}
+
+void Emitter::set_triangles(uint32_t first) {
+  const auto at = [&](uint32_t vertex) { return transform_point(to_world, mesh->positions[vertex]); };
+  const auto& t = mesh->triangles[first];
+  triangle = first;
+  corner = at(t[0]);
+  edge[0] = at(t[1]) - corner, edge[1] = at(t[2]) - corner;
+  parallelogram = false;
+  if (first + 1 < mesh->triangles.size()) {
+    const auto& next = mesh->triangles[first + 1];
+    const Vec3 side = at(next[2]) - corner;
+    const bool closes = squared_length(edge[0] + side - edge[1]) < 1e-10f * squared_length(edge[1]);
+    parallelogram = next[0] == t[0] && next[1] == t[2] && closes;
+    if (parallelogram) edge[1] = side;
+  }
+  const Vec3 across = cross(edge[0], edge[1]) * (glm::determinant(Mat3(to_world)) < 0 ? -1.0f : 1.0f);
+  area = length(across) * (parallelogram ? 1 : 0.5f);
+  normal = normalize_or(across, {0, 1, 0});
 }
 
 float Emitter::area_pdf(Vec3 hit_normal) const {
@@ -108,6 +137,7 @@ LampBounds Emitter::bounds(const Scene& scene) const {
     return b;
   }
   for (const Point3 p : {corner, corner + edge[0], corner + edge[1]}) b.box.add(p);
+  if (parallelogram) b.box.add(corner + edge[0] + edge[1]);
   b.axis = normal;
   if (material->double_sided) b.spread = float(kPi);
   return b;

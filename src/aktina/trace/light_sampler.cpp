@@ -8,7 +8,7 @@
 namespace aktina {
 
 LightSampler::LightSampler(const Scene& scene)
-    : scene_(&scene), sky_(scene.environment), first_emitter_(scene.instances.size(), kNothing) {
+    : scene_(&scene), sky_(scene.environment), first_(scene.instances.size(), kNothing) {
   std::vector<LampBounds> bounds;
   std::vector<const Light*> suns;
   for (const PlacedLight& placed : scene.lights) {
@@ -30,7 +30,7 @@ void LightSampler::add_instance(uint32_t index, std::vector<LampBounds>& bounds)
   const Instance& instance = scene_->instances[index];
   const Material& material = scene_->material_of(instance);
   if (!material.emits() || material.unlit || (instance.mesh < 0 && instance.primitive < 0)) return;
-  first_emitter_[index] = uint32_t(emitters_.size());
+  first_[index] = uint32_t(emitter_of_.size());
   Emitter e;
   e.material = &material;
   e.to_world = instance.to_world;
@@ -38,6 +38,7 @@ void LightSampler::add_instance(uint32_t index, std::vector<LampBounds>& bounds)
     LampBounds b = e.bounds(*scene_);
     if (!(b.power > 0) || !is_finite(b.box.low) || !is_finite(b.box.high)) b.power = 0;
     bounds.push_back(b);
+    emitter_of_.push_back(uint32_t(emitters_.size()));
     emitters_.push_back(e);
   };
   if (instance.mesh < 0) {
@@ -47,15 +48,10 @@ void LightSampler::add_instance(uint32_t index, std::vector<LampBounds>& bounds)
     return;
   }
   e.mesh = &scene_->meshes[size_t(instance.mesh)];
-  const float side = glm::determinant(Mat3(instance.to_world)) < 0 ? -1.0f : 1.0f;
-  for (e.triangle = 0; e.triangle < e.mesh->triangles.size(); ++e.triangle) {
-    const auto& t = e.mesh->triangles[e.triangle];
-    e.corner = transform_point(e.to_world, e.mesh->positions[t[0]]);
-    for (size_t k = 0; k < 2; ++k) e.edge[k] = transform_point(e.to_world, e.mesh->positions[t[k + 1]]) - e.corner;
-    const Vec3 twice = cross(e.edge[0], e.edge[1]) * side;
-    e.area = 0.5f * length(twice);
-    e.normal = normalize_or(twice, {0, 1, 0});
+  for (uint32_t t = 0; t < e.mesh->triangles.size(); ++t) {
+    e.set_triangles(t);
     add();
+    if (e.parallelogram) emitter_of_.push_back(emitter_of_.back()), ++t;
   }
 }
 
@@ -125,9 +121,9 @@ ArrivingLight LightSampler::sample_near(Point3 x, float choice, Vec2 u) const {
 }
 
 float LightSampler::pdf(Point3 x, const Hit& hit, float distance, float cosine) const {
-  const uint32_t first = first_emitter_[hit.instance];
+  const uint32_t first = first_[hit.instance];
   if (first == kNothing) return 0;
-  const uint32_t index = first + hit.triangle;
+  const uint32_t index = emitter_of_[first + hit.triangle];
   const float chance = tree_.empty() ? 0 : tree_.chance(x, index) * (1 - distant_chance_);
   if (!(chance > 0)) return 0;
   return chance * emitters_[index].area_pdf(hit.normal) * distance * distance / std::max(cosine, 1e-9f);

@@ -28,6 +28,8 @@ class LightSampler {
   explicit LightSampler(const Scene& scene);
 
   bool empty() const { return tree_.empty() && distant_.empty(); }
+  /// There is nothing to choose.
+  bool only_one() const { return tree_.only_one() ? distant_.empty() : tree_.empty() && distant_.size() == 1; }
   /// @param choice  chooses the lamp; u  a place on it
   ArrivingLight sample(Point3 x, float choice, Vec2 u) const;
   /// The density with which sample() at x gives the direction in which a ray has met an emissive surface, sr^-1.
@@ -50,7 +52,8 @@ class LightSampler {
   EnvironmentSampler sky_;
   LightTree tree_;
   std::vector<Emitter> emitters_;
-  std::vector<uint32_t> first_emitter_;  // of each instance; kNothing: it does not shine
+  std::vector<uint32_t> first_;       // of each instance, into emitter_of_; kNothing: it does not shine
+  std::vector<uint32_t> emitter_of_;  // of each triangle or shape that shines
   std::vector<Distant> distant_;
   float distant_chance_ = 0;
 };

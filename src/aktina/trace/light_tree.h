@@ -25,6 +25,7 @@ class LightTree {
   /// Lamps without power are never picked.
   void build(std::vector<LampBounds> lamps);
   bool empty() const { return nodes_.empty(); }
+  bool only_one() const { return nodes_.size() == 1; }
 
   struct Choice {
     uint32_t lamp;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "aktina/base/random.h"
+#include "aktina/trace/ray.h"
 
 namespace aktina {
 
@@ -16,5 +17,19 @@ struct SampleSequence {
     return unit_float(hash32(hash_combine(hash_combine(seed, dimension), index)));
   }
 };
+
+/// Sixteen sequences, each at a dimension of its own.
+struct alignas(64) SequencePacket {
+  uint32_t seed[kPacket] = {}, index[kPacket] = {}, dimension[kPacket] = {};
+  void set(int lane, const SampleSequence& s, uint32_t d) {
+    seed[lane] = s.seed, index[lane] = s.index, dimension[lane] = d;
+  }
+};
+struct alignas(64) PairPacket {
+  float x[kPacket], y[kPacket];
+  Vec2 at(int lane) const { return {x[lane], y[lane]}; }
+};
+/// pair(dimension + offset) of each: the same numbers, many at a time.
+void sample_pairs(const SequencePacket& sequences, uint32_t offset, PairPacket& out);
 
 }  // namespace aktina

@@ -31,6 +31,11 @@ struct PathTracer::Path {
   uint32_t dimension(Dimension d) const { return uint32_t(bounces) * kPerBounce + d; }
 };
 
+/// The random numbers of one bounce that are worth spreading well.
+struct PathTracer::Numbers {
+  Vec2 lamp_place, direction;
+};
+
 struct PathTracer::Wave {
   const RayScene& scene;
   std::span<const RadianceQuery> queries;
@@ -73,11 +78,12 @@ void PathTracer::gather_emission(Wave& wave, const Path& path, const ShadingPoin
   wave.add(path.query, path.bounces, path.throughput * point.emission.v * weight);
 }
 
-void PathTracer::sample_light(Wave& wave, const Path& path, const ShadingPoint& point, const Frame& frame) const {
+void PathTracer::sample_light(Wave& wave, const Path& path, const ShadingPoint& point, const Frame& frame,
+                              Vec2 place) const {
   if (point.scattering->only_smooth() || wave.scene.lights.empty()) return;
-  const SampleSequence& sequence = wave.sequence(path);
-  const ArrivingLight light = wave.scene.lights.sample(point.position, sequence.single(path.dimension(kLampChoice)),
-                                                       sequence.pair(path.dimension(kLampPlace)));
+  const LightSampler& lights = wave.scene.lights;
+  const float choice = lights.only_one() ? 0 : wave.sequence(path).single(path.dimension(kLampChoice));
+  const ArrivingLight light = lights.sample(point.position, choice, place);
   if (is_black(light.e_perp)) return;
   if (light.pdf > 0 && rules_.strategy == LightStrategy::scattering) return;
   const Vec3 wi = frame.to_local(light.wi);
@@ -100,10 +106,9 @@ bool PathTracer::survives(Wave& wave, Path& path) const {
   return true;
 }
 
-bool PathTracer::scatter(Wave& wave, Path& path, const ShadingPoint& point, const Frame& frame) const {
-  const SampleSequence& sequence = wave.sequence(path);
-  const ScatterSample s = point.scattering->sample(frame.to_local(point.wo), sequence.pair(path.dimension(kDirection)),
-                                                   sequence.random(path.dimension(kLobe)), !point.front);
+bool PathTracer::scatter(Wave& wave, Path& path, const ShadingPoint& point, const Frame& frame, Vec2 u) const {
+  const float lobe = wave.sequence(path).random(path.dimension(kLobe));
+  const ScatterSample s = point.scattering->sample(frame.to_local(point.wo), u, lobe, !point.front);
   if (is_black(s.weight)) return false;
   const Vec3 wi = frame.to_world(s.wi);
   const float side = dot(wi, point.geometric);
@@ -119,7 +124,7 @@ bool PathTracer::scatter(Wave& wave, Path& path, const ShadingPoint& point, cons
 }
 
 /// One hit of one path. @return  whether the path goes on
-bool PathTracer::advance(Wave& wave, Path& path, const Hit& hit) const {
+bool PathTracer::advance(Wave& wave, Path& path, const Hit& hit, const Numbers& numbers) const {
   if (!hit) {
     gather_sky(wave, path);
     return false;
@@ -135,8 +140,8 @@ bool PathTracer::advance(Wave& wave, Path& path, const Hit& hit) const {
   if (path.bounces >= rules_.most_bounces || path.matt_bounces >= rules_.matt_bounces) return false;
   if (point.scattering->black()) return false;
   const Frame frame(point.normal);
-  sample_light(wave, path, point, frame);
-  return scatter(wave, path, point, frame);
+  sample_light(wave, path, point, frame, numbers.lamp_place);
+  return scatter(wave, path, point, frame, numbers.direction);
 }
 
 void PathTracer::radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,
@@ -150,8 +155,18 @@ void PathTracer::radiance(const RayScene& scene, std::span<const RadianceQuery> 
     counts.rays += paths.size();
     trace_wave(
         *scene.accelerator, paths.size(), coherence, [&](size_t i) { return paths[i].ray; },
-        [&](size_t i, const Hit& hit) {
-          if (advance(wave, paths[i], hit)) paths[alive++] = paths[i];
+        [&](size_t first, int n, const HitPacket& hits) {
+          SequencePacket sequences;
+          for (int k = 0; k < n; ++k) {
+            const Path& path = paths[first + size_t(k)];
+            sequences.set(k, wave.sequence(path), path.dimension(Dimension(0)));
+          }
+          PairPacket place, direction;
+          sample_pairs(sequences, kLampPlace, place), sample_pairs(sequences, kDirection, direction);
+          for (int k = 0; k < n; ++k) {
+            Path& path = paths[first + size_t(k)];
+            if (advance(wave, path, hits.at(k), {place.at(k), direction.at(k)})) paths[alive++] = path;
+          }
         });
     paths.resize(alive);
     counts.shadow_rays += wave.shadows.trace(

@@ -26,12 +26,13 @@ class PathTracer {
  private:
   struct Path;
   struct Wave;
+  struct Numbers;
   void gather_sky(Wave& wave, const Path& path) const;
   void gather_emission(Wave& wave, const Path& path, const ShadingPoint& point, const Hit& hit) const;
-  void sample_light(Wave& wave, const Path& path, const ShadingPoint& point, const Frame& frame) const;
-  bool scatter(Wave& wave, Path& path, const ShadingPoint& point, const Frame& frame) const;
+  void sample_light(Wave& wave, const Path& path, const ShadingPoint& point, const Frame& frame, Vec2 place) const;
+  bool scatter(Wave& wave, Path& path, const ShadingPoint& point, const Frame& frame, Vec2 u) const;
   bool survives(Wave& wave, Path& path) const;
-  bool advance(Wave& wave, Path& path, const Hit& hit) const;
+  bool advance(Wave& wave, Path& path, const Hit& hit, const Numbers& numbers) const;
 
   PathRules rules_;
 };

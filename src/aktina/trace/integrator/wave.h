@@ -9,16 +9,17 @@
 
 namespace aktina {
 
-/// Calls met(i, hit) for each of the rays, in order. @param ray_of  index -> Ray
+/// Traces rays in packets and calls met(first, count, hits) for each packet, in order: lane k is ray first + k.
+/// @param ray_of  index -> Ray
 template <class RayOf, class Met>
 void trace_wave(const Accelerator& accelerator, size_t count, Coherence coherence, RayOf&& ray_of, Met&& met) {
   RayPacket packet;
   HitPacket hits;
   for (size_t first = 0; first < count; first += kPacket) {
-    const size_t n = std::min(count - first, size_t(kPacket));
-    for (size_t i = 0; i < n; ++i) packet.set(int(i), ray_of(first + i));
+    const int n = int(std::min(count - first, size_t(kPacket)));
+    for (int lane = 0; lane < n; ++lane) packet.set(lane, ray_of(first + size_t(lane)));
     accelerator.intersect(packet, (1U << n) - 1, hits, coherence);
-    for (size_t i = 0; i < n; ++i) met(first + i, hits.at(int(i)));
+    met(first, n, hits);
   }
 }
 

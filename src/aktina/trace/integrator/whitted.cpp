@@ -162,7 +162,10 @@ void Whitted::radiance(const RayScene& scene, std::span<const RadianceQuery> que
     counts.rays += n;
     trace_wave(
         *scene.accelerator, n, coherent ? Coherence::coherent : Coherence::incoherent,
-        [&](size_t i) { return batch[i].ray; }, [&](size_t i, const Hit& hit) { advance(work, batch[i], hit); });
+        [&](size_t i) { return batch[i].ray; },
+        [&](size_t first, int count, const HitPacket& hits) {
+          for (int lane = 0; lane < count; ++lane) advance(work, batch[first + size_t(lane)], hits.at(lane));
+        });
     counts.shadow_rays += work.shadows.trace(scene, Coherence::incoherent, [&](const ShadowRay& ray) {
       (ray.first ? out[ray.query].direct : out[ray.query].indirect) += ray.light;
     });
