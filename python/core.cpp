@@ -21,5 +21,6 @@ PYBIND11_MODULE(_core, m) {
   bind_lights(m);
   bind_shading(m);
   bind_geometry(m);
+  bind_form_factors(m);
   bind_radiosity(m);
 }

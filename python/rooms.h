@@ -8,6 +8,7 @@ namespace aktina::python {
 namespace py = pybind11;
 
 void bind_errors(py::module_& m);
+void bind_form_factors(py::module_& m);
 void bind_geometry(py::module_& m);
 void bind_illumination(py::module_& m);
 void bind_lights(py::module_& m);

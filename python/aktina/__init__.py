@@ -9,6 +9,7 @@ from ._core import set_thread_count, thread_count, version as __version__
 from ._errors import (BadInput, BadParam, Cancelled, CheckFailed, Error, FileError, LimitExceeded, NoSuchMethod,
                       Unsupported, UsageError)
 from ._facets import facet_distribution, fresnel, groove_masking
+from ._form_factors import form_factor, form_factors, polygon_area
 from ._geometry import Hits, intersect, vertex_normal
 from ._illumination import highlight, illuminate, schlick_power
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff

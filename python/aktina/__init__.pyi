@@ -1,5 +1,5 @@
 """Types of the package's public names; the docstrings stand in the modules."""
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -101,3 +101,18 @@ def solve_radiosity(
     tolerance: float = 1e-12,
     progress: Callable[[str, str, int, int, float], None] | None = None,
 ) -> NDArray[np.float64]: ...
+
+# Form factors.
+def form_factor(
+    a: ArrayLike | dict[str, Any],
+    b: ArrayLike | dict[str, Any],
+    method: str = "contour",
+    occluders: Sequence[ArrayLike | dict[str, Any]] = (),
+) -> float: ...
+def form_factors(
+    surfaces: Sequence[ArrayLike],
+    occluders: Sequence[ArrayLike] = (),
+    method: str = "contour",
+    progress: Callable[[str, str, int, int, float], None] | None = None,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def polygon_area(polygon: ArrayLike) -> float: ...

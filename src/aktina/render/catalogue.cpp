@@ -6,6 +6,7 @@
 #include "aktina/illumination/light/light.h"
 #include "aktina/illumination/model.h"
 #include "aktina/illumination/normals/normals.h"
+#include "aktina/radiosity/formfactor/formfactor.h"
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/solver.h"
 #include "aktina/raster/shading/shading_method.h"
@@ -55,6 +56,8 @@ const std::vector<Family>& families() {
       {"light", "Light sources", "What arrives at a point, and from where.", "illumination/light", rows(lights())},
       {"illumination", "Illumination models", "How a surface reflects light from one direction into another.",
        "illumination", rows(illumination_models())},
+      {"formfactor", "Form factors", "What fraction of the light leaving one polygon arrives at another.",
+       "radiosity/formfactor", rows(formfactors())},
       {"mesher", "Meshers", "How surfaces are cut into patches that light is computed on.", "radiosity/mesher",
        rows(meshers())},
       {"normals", "Vertex normals", "How the facets around a vertex make up its normal.", "illumination/normals",

@@ -1,0 +1,13 @@
+// The form-factor methods: the only list.
+#include "aktina/radiosity/formfactor/formfactor.h"
+
+namespace aktina {
+
+extern const FormFactorMethodRow contour_formfactor, analytic_formfactor;
+
+std::span<const FormFactorMethodRow* const> formfactors() {
+  static constexpr const FormFactorMethodRow* kTable[] = {&contour_formfactor, &analytic_formfactor};
+  return kTable;
+}
+
+}  // namespace aktina
