@@ -3,10 +3,10 @@
 
 namespace aktina::app {
 
-extern const Command render_command, methods_command, validate_command;
+extern const Command compare_command, render_command, methods_command, validate_command;
 
 std::span<const Command* const> commands() {
-  static constexpr const Command* kTable[] = {&render_command, &methods_command, &validate_command};
+  static constexpr const Command* kTable[] = {&compare_command, &render_command, &methods_command, &validate_command};
   return kTable;
 }
 

@@ -32,7 +32,8 @@ CLI::Option* declare(CLI::App& app, Arguments::Value& value, bool input) {
   if (option.kind == Kind::flag) return app.add_flag(name);
   CLI::Option* const declared = app.add_option(name, value.texts);
   if (option.several) return declared->allow_extra_args(input);
-  return declared->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  declared->expected(1)->allow_extra_args(false);  // an input leaves the next word to the next input
+  return input ? declared : declared->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 [[noreturn]] void refuse_unknown(const Command& command, const Arguments& arguments, const std::string& word) {
