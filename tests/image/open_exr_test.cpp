@@ -232,5 +232,17 @@ TEST(OpenExr, RefusesClaimsBeforeItTakesMemory) {
   EXPECT_EQ(decode_error(with_windows(-5, 9)), Code::bad_input);
 }
 
+/// The library takes memory for what an attribute claims, before it reads.
+TEST(OpenExr, AnAttributeLargerThanTheFileIsRefused) {
+  std::vector<uint8_t> bytes = Made{}.bytes();
+  const std::string name = "pixelAspectRatio";
+  const auto at = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+  const auto size = at + std::ptrdiff_t(name.size() + 1 + sizeof("float"));
+  ASSERT_EQ(*size, 4);
+  size[2] = 0x20, size[3] = 0x70;
+  EXPECT_EQ(decode_error(bytes), Code::bad_input);
+  EXPECT_EQ(decode_error(std::span(bytes).first(6)), Code::bad_input);
+}
+
 }  // namespace
 }  // namespace aktina

@@ -84,9 +84,9 @@ Image decode_image(Bytes bytes, const std::string& where) { return codec_of(byte
 
 Image read_image(const Path& path) { return decode_image(read_file(path), display(path)); }
 
-LayeredImage read_layered_image(const Path& path) {
-  const std::vector<uint8_t> bytes = read_file(path);
-  const std::string where = display(path);
+LayeredImage read_layered_image(const Path& path) { return decode_layered_image(read_file(path), display(path)); }
+
+LayeredImage decode_layered_image(Bytes bytes, const std::string& where) {
   const ImageCodec& codec = codec_of(bytes, where);
   if (codec.layers) return codec.layers(bytes, where);
   LayeredImage picture;

@@ -37,6 +37,7 @@ Image read_image(const Path& path);
 Image decode_image(std::span<const uint8_t> bytes, const std::string& where);
 /// All layers of an EXR file; other formats have one.
 LayeredImage read_layered_image(const Path& path);
+LayeredImage decode_layered_image(std::span<const uint8_t> bytes, const std::string& where);
 
 /// A texture: PNG (8 and 16 bit), JPEG or WebP as 8-bit RGBA, still sRGB-encoded; HDR and EXR as a float Image.
 std::variant<Bitmap, Image> decode_texture(std::span<const uint8_t> bytes, const std::string& where);

@@ -18,6 +18,7 @@
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
+#include "aktina/image/exr_header.h"
 #include "aktina/image/exr_layers.h"
 #include "aktina/image/exr_stream.h"
 #include "aktina/image/open_exr.h"
@@ -45,7 +46,8 @@ std::vector<ExrLayer> layers_of(const Imf::Header& header) {
 /// A file whose headers have been read and found sane.
 class File {
  public:
-  File(Bytes bytes, const std::string& where) : stream_(bytes), file_(stream_, threads(), false), where_(where) {
+  File(Bytes bytes, const std::string& where)
+      : stream_((check_exr_header(bytes, where), bytes)), file_(stream_, threads(), false), where_(where) {
     for (int part = 0; part < file_.parts(); ++part) check(file_.header(part), bytes.size());
   }
 
