@@ -1,4 +1,4 @@
-// OBJ, PLY, STL, FBX, DAE, 3DS, OFF through Assimp.
+// FBX, DAE, 3DS.
 #include "aktina/base/error.h"
 #include "aktina/import/import.h"
 
@@ -7,7 +7,7 @@ namespace aktina {
 Scene read_assimp(std::span<const uint8_t>, const std::string& extension, const Path&, const std::string& where,
                   const ImportOptions&) {
   throw Error(Code::unsupported, where, "scene files with the extension '" + extension + "' are not read",
-              "use .gltf or .glb");
+              "use .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
 }  // namespace aktina

@@ -17,13 +17,20 @@ struct ImportOptions {
   bool default_camera = true, default_light = true;
 };
 
-/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, and what else Assimp reads (FBX, DAE, 3DS, OFF).
+/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF; FBX, DAE, 3DS.
+/// By content first, then by the extension.
 /// @throws Error bad_input, io, limit, unsupported
 Scene load_scene(const Path& path, const ImportOptions& options = {});
 
 /// One reader each, for tests and fuzzers; `folder` resolves relative references (never outside of it).
 Scene read_gltf(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
                 const ImportOptions& options = {});
+Scene read_obj(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+               const ImportOptions& options = {});
+Scene read_ply(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
+Scene read_stl(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
+Scene read_off(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
+/// What Assimp reads and Aktina lets it: FBX, DAE, 3DS.
 Scene read_assimp(std::span<const uint8_t> bytes, const std::string& extension, const Path& folder,
                   const std::string& where, const ImportOptions& options = {});
 

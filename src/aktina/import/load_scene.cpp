@@ -13,12 +13,29 @@ bool is_gltf(std::span<const uint8_t> bytes, const std::string& extension) {
   return gltf::is_glb(bytes) || extension == "gltf" || extension == "glb";
 }
 
+bool starts_with(std::span<const uint8_t> bytes, std::string_view text) {
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).starts_with(text);
+}
+
+/// OFF, COFF, NOFF, STOFF and their mixtures.
+bool is_off(std::span<const uint8_t> bytes) {
+  const size_t end =
+      std::string_view(reinterpret_cast<const char*>(bytes.data()), std::min<size_t>(bytes.size(), 8)).find("OFF");
+  return end <= 4 &&
+         std::all_of(bytes.begin(), bytes.begin() + long(end), [](uint8_t c) { return c >= 'A' && c <= 'Z'; });
+}
+
 }  // namespace
 
 Scene load_scene(const Path& path, const ImportOptions& options) {
   const std::vector<uint8_t> bytes = read_file(path, std::min(kLargestFile, options.most_bytes));
   const std::string extension = lower_extension(path), where = display(path);
   if (is_gltf(bytes, extension)) return read_gltf(bytes, path.parent_path(), where, options);
+  if (starts_with(bytes, "ply\n") || starts_with(bytes, "ply\r") || extension == "ply")
+    return read_ply(bytes, where, options);
+  if (extension == "obj") return read_obj(bytes, path.parent_path(), where, options);
+  if (extension == "off" || is_off(bytes)) return read_off(bytes, where, options);
+  if (extension == "stl" || starts_with(bytes, "solid")) return read_stl(bytes, where, options);
   return read_assimp(bytes, extension, path.parent_path(), where, options);
 }
 
