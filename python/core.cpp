@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, m) {
   bind_catalogue(m);
   bind_illumination(m);
   bind_lights(m);
+  bind_images(m);
   bind_shading(m);
   bind_geometry(m);
   bind_form_factors(m);

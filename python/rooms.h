@@ -11,6 +11,7 @@ void bind_errors(py::module_& m);
 void bind_form_factors(py::module_& m);
 void bind_geometry(py::module_& m);
 void bind_illumination(py::module_& m);
+void bind_images(py::module_& m);
 void bind_lights(py::module_& m);
 void bind_shading(py::module_& m);
 void bind_catalogue(py::module_& m);

@@ -1,5 +1,6 @@
 """Types of the package's public names; the docstrings stand in the modules."""
 from collections.abc import Callable, Sequence
+import os
 from typing import Any
 
 import numpy as np
@@ -116,3 +117,15 @@ def form_factors(
     progress: Callable[[str, str, int, int, float], None] | None = None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 def polygon_area(polygon: ArrayLike) -> float: ...
+
+# Pictures.
+def read_image(path: str | os.PathLike[str]) -> NDArray[np.float32]: ...
+def write_image(
+    path: str | os.PathLike[str],
+    image: ArrayLike,
+    exposure: float | None = 1.0,
+    curve: str = "none",
+    bits: int = 8,
+    metadata: dict[str, str] | None = None,
+) -> None: ...
+def compare(a: ArrayLike, b: ArrayLike, range: str = "auto") -> dict[str, Any]: ...
