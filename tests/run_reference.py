@@ -111,7 +111,8 @@ def judge_all(cases):
         kind.cases += 1
         kind.expected.update(case.expected)
         for method in KINDS.get(case.kind, []):
-            kind.results.setdefault(method.id, Result(method.accuracy)).judge(case, method)
+            if method.resolves(case):
+                kind.results.setdefault(method.id, Result(method.accuracy)).judge(case, method)
     return list(kinds.values())
 
 

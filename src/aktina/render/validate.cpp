@@ -35,6 +35,7 @@ const std::vector<ValidationCase>& validation_cases() {
   static const std::vector<ValidationCase> cases = [] {
     std::vector<ValidationCase> all;
     add_photometry_cases(all);
+    add_form_factor_cases(all);
     add_furnace_cases(all);
     return all;
   }();

@@ -30,11 +30,13 @@ class Case:
 
 @dataclass
 class Method:
-    """Computes some of the expected values of a kind: `compute(case)` gives {key of expected: value}."""
+    """Computes some of the expected values of a kind: `compute(case)` gives {key of expected: value}. `resolves(case)`
+    is false for cases that are too fine for what the method can do by design."""
 
     id: str
     accuracy: str
     compute: Callable
+    resolves: Callable = lambda case: True
 
 
 def ids(family):

@@ -64,7 +64,7 @@ TEST(Contour, SurfacesHideEachOtherOnBothSides) {
   // A wall in the middle of a long box parts it in two closed halves.
   std::vector<Polygon> walls = box(2, 1, 1);
   walls.push_back({{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}});
-  const FormFactorMatrix f = form_factor_matrix({walls, {}}, "contour");
+  const FormFactorMatrix f = form_factor_matrix({walls, {}}, "contour:tolerance=1e-5");
   EXPECT_EQ(f.factors[3 * 7 + 5], 0) << "the two ends";
   EXPECT_NEAR(f.factors[3 * 7 + 6], 0.19982489569838738, 1e-7) << "the end and the front of the wall that faces it";
 }
