@@ -51,7 +51,12 @@ void check_method(const Option& option, const std::string& name, const std::stri
     if (method->id == choice.id) chosen = method;
     known.push_back(method->id);
   }
-  if (!chosen) no_such_method(option.family, choice.id, fmt::format("{}", fmt::join(known, ", ")));
+  if (!chosen) {
+    const std::string_view meant = nearest(choice.id, known);
+    throw Error(
+        Code::no_such_method, name, fmt::format("there is no {} method '{}'", option.family, choice.id),
+        meant.empty() ? fmt::format("there are: {}", fmt::join(known, ", ")) : fmt::format("did you mean {}?", meant));
+  }
   ParamSet params(*chosen);
   for (const auto& [id, value] : choice.values) params.set(id, value);
 }

@@ -12,7 +12,7 @@
 namespace aktina::app {
 namespace {
 
-constexpr std::string_view kWays[] = {"raster"};
+constexpr std::string_view kWays[] = {"raster", "radiosity"};
 constexpr std::string_view kCurves[] = {"none", "reinhard", "filmic"};
 constexpr std::string_view kFormats[] = {"png", "exr", "hdr", "pfm"};
 
@@ -78,6 +78,7 @@ RenderOptions read_options(const Arguments& arguments) {
   options.illumination = arguments.text("illumination");
   options.samples = int(arguments.whole("samples"));
   options.seed = uint32_t(arguments.whole("seed"));
+  options.radiosity = radiosity_options(arguments);
   options.layers = split(arguments.text("layers"));
   read_size(arguments.text("size"), options);
   return options;
@@ -113,7 +114,7 @@ int run(const Arguments& arguments, Session& session) {
   return session.finish(rendering.report, "");
 }
 
-constexpr Option kOptions[] = {
+constexpr Option kPictureOptions[] = {
     {.name = "output",
      .help = "the picture: .png (exposed, sRGB), .exr (linear, with layers), .hdr or .pfm; may be given again",
      .kind = Kind::file,
@@ -155,7 +156,6 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1 << 20},
     {.name = "camera", .help = "by name, or by number from 0 (default the first)", .kind = Kind::text, .value = "NAME"},
-    kSeed,
     {.name = "exposure",
      .help = "factor on the luminance before it is shown (PNG); auto: from the picture",
      .kind = Kind::text,
@@ -168,11 +168,12 @@ constexpr Option kOptions[] = {
      .fallback = "none",
      .choices = kCurves},
     {.name = "layers",
-     .help = "more layers of an .exr, separated by commas: albedo, N (normal), P (position), Z (depth)",
+     .help = "more layers of an .exr, separated by commas: albedo, N (normal), P (position), Z (depth); of "
+             "the ray tracers also direct, indirect, illuminance",
      .kind = Kind::text,
      .value = "LIST"},
-    kUnits,
 };
+constexpr auto kOptions = joined(kPictureOptions, kRadiosityOptions);
 constexpr Example kExamples[] = {
     {"a picture", "aktina render room.glb -o room.png"},
     {"quick, at a given size", "aktina render room.glb -o room.png --method raster --shading gouraud --size 640x480"},

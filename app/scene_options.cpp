@@ -18,6 +18,17 @@ LoadedScene load(const Arguments& arguments, const Session& session) {
   return loaded;
 }
 
+RadiosityOptions radiosity_options(const Arguments& arguments) {
+  RadiosityOptions options;
+  options.solver = arguments.text("solver");
+  options.mesher = arguments.text("mesher");
+  options.patch_size = arguments.number("patch-size");
+  options.tolerance = arguments.number("tolerance");
+  options.most_steps = uint64_t(arguments.whole("max-steps"));
+  options.seed = uint32_t(arguments.whole("seed"));
+  return options;
+}
+
 std::vector<Path> checked_outputs(const Arguments& arguments, Session& session,
                                   std::span<const std::string_view> extensions) {
   std::vector<Path> outputs;

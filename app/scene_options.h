@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "aktina/radiosity/solve.h"
 #include "aktina/scene/scene.h"
 #include "session.h"
 
@@ -31,6 +32,46 @@ inline constexpr Option kSeed = {.name = "seed",
                                  .fallback = "0",
                                  .min = 0,
                                  .max = 4294967295.0};
+
+/// How a radiosity solution is computed: `render`, `radiosity` and `bake` take these.
+inline constexpr Option kRadiosityOptions[] = {
+    {.name = "solver",
+     .help = "how the light between surfaces is balanced",
+     .kind = Kind::method,
+     .value = "METHOD",
+     .fallback = "progressive",
+     .family = "radiosity"},
+    {.name = "mesher",
+     .help = "how surfaces are cut into patches",
+     .kind = Kind::method,
+     .value = "METHOD",
+     .fallback = "uniform",
+     .family = "mesher"},
+    {.name = "patch-size",
+     .help = "longest edge of a patch in metres; 0: chosen from the size of the scene",
+     .kind = Kind::number,
+     .value = "METRES",
+     .fallback = "0",
+     .min = 0,
+     .max = 1e6},
+    {.name = "tolerance",
+     .help = "stop when less than this share of the light is not distributed yet",
+     .kind = Kind::number,
+     .value = "SHARE",
+     .fallback = "0.001",
+     .min = 1e-12,
+     .max = 1},
+    {.name = "max-steps",
+     .help = "stop after so many shots or iterations; 0: no limit",
+     .kind = Kind::whole,
+     .value = "N",
+     .fallback = "0",
+     .min = 0,
+     .max = 1e15},
+    kSeed,
+    kUnits,
+};
+RadiosityOptions radiosity_options(const Arguments& arguments);
 
 /// Two tables of options as one.
 template <size_t A, size_t B>

@@ -31,6 +31,7 @@ class Session {
   void show_warnings(const Warnings& warnings) const;
 
   bool json() const { return json_; }
+  bool quiet() const { return quiet_; }
   /// With --json prints the report with the outputs, and `result` (a JSON object as text) in it; without, `text`.
   /// Returns the exit status: that of an interrupted run where the report is not complete, else `status`.
   int finish(const Report& report, const std::string& text, const std::string& result = {}, int status = 0) const;

@@ -45,3 +45,11 @@ if [ ${#missing[@]} -gt 0 ]; then
   $sudo apt-get update -q
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 fi
+
+# The validator goes into node_modules/ here, where the tests look for it.
+validator=2.0.0-dev.3.10
+here=$(cd "$(dirname "$0")/.." && pwd)
+if ! grep -qs "\"version\": \"$validator\"" "$here/node_modules/gltf-validator/package.json"; then
+  echo "Aktina's tests need the Khronos glTF validator (npm) and will install it now:  gltf-validator $validator"
+  npm install --prefix "$here" --no-save --no-package-lock --no-audit --no-fund --silent "gltf-validator@$validator"
+fi

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "aktina/base/error.h"
+#include "aktina/image/file_format.h"
 #include "export/gltf_reader.h"
 #include "export/lit_scene.h"
 #include "test_files.h"
@@ -59,7 +60,7 @@ TEST(LitGltf, GeometryIsWhatItWas) {
 TEST(LitGltf, UnlitMaterialsKeepBaseAlphaAndSidesAndNameTheirOriginal) {
   Scene lit = lit_square({Rgb(1), Rgb(1), Rgb(1), Rgb(1)});
   Material& m = lit.materials[0];
-  lit.images.push_back({"planks", "", "image/png", {1, 2, 3, 4, 5}, Bitmap{}});
+  lit.images.push_back({"planks", "", "", {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 5}, Bitmap{}});
   m.base_texture = {.image = 0, .uv_set = 0, .scale = Vec2(2, 3), .wrap_u = Wrap::mirror};
   m.base_colour = Rgb(0.5f, 0.25f, 1);
   m.alpha = 0.75f, m.alpha_mode = AlphaMode::mask, m.alpha_cutoff = 0.25f, m.double_sided = true;
@@ -86,7 +87,19 @@ TEST(LitGltf, UnlitMaterialsKeepBaseAlphaAndSidesAndNameTheirOriginal) {
   const auto& image = file.json["images"][0];
   EXPECT_EQ(file.json["images"].size(), 1u) << "shared by both materials";
   const auto at = long(file.json["bufferViews"][image["bufferView"].get<size_t>()]["byteOffset"]);
-  EXPECT_EQ(std::vector<uint8_t>(file.data.begin() + at, file.data.begin() + at + 5), lit.images[0].encoded);
+  EXPECT_EQ(image["mimeType"], "image/png");
+  EXPECT_EQ(std::vector<uint8_t>(file.data.begin() + at, file.data.begin() + at + 9), lit.images[0].encoded);
+}
+
+TEST(LitGltf, PicturesThatGltfDoesNotKnowBecomePng) {
+  Scene lit = lit_square({Rgb(1), Rgb(1), Rgb(1), Rgb(1)});
+  lit.images.push_back({"sky", "", "", {}, Bitmap{1, 1, 4, false, {255, 128, 0, 255}}});
+  lit.materials[0].base_texture = {.image = 0};
+  const GltfFile file = written(lit, 1);
+  const auto& view = file.json["bufferViews"][file.json["images"][0]["bufferView"].get<size_t>()];
+  const auto at = file.data.begin() + long(view["byteOffset"]);
+  const auto pixels = std::get<Bitmap>(decode_texture({at, at + long(view["byteLength"])}, "sky")).pixels;
+  EXPECT_EQ(pixels, (std::vector<uint8_t>{255, 128, 0, 255}));
 }
 
 TEST(LitGltf, EmissionBeyondOneGoesIntoItsExtension) {

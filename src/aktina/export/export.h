@@ -13,8 +13,12 @@ namespace aktina {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+/// The largest factor on H / pi at which vertex colours clip (exceed 1, as glTF forbids) on no more than 1 % of the
+/// area. Patches that emit are left out: lamps clip in every picture. 1 where nothing is lit.
+float lit_exposure(const Solution& solution);
+
 struct LitGltfOptions {
-  float exposure = 0;  // factor on vertex colours; 0: chosen from the solution. Recorded in asset.extras.aktina
+  float exposure = 0;  // factor on vertex colours; 0: lit_exposure(). Recorded in asset.extras.aktina
   Metadata metadata;   // recorded there too: program, settings, seed, scene, hash
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "aktina/image/codec.h"
+
 namespace aktina::gltf_export {
 namespace {
 
@@ -10,6 +12,27 @@ constexpr int kNearest = 9728, kLinear = 9729, kLinearMipmapLinear = 9987;
 int wrap_code(Wrap wrap) { return wrap == Wrap::clamp ? 33071 : wrap == Wrap::mirror ? 33648 : 10497; }
 
 Json array(Rgb c) { return {c.r, c.g, c.b}; }
+
+bool is_webp(const TextureImage& image) { return detect_image_format(image.encoded) == ImageFormat::webp; }
+
+/// The file's own bytes, or a PNG where glTF does not know their format.
+std::vector<uint8_t> encoded(const TextureImage& image, std::string& media_type) {
+  const ImageFormat format = detect_image_format(image.encoded);
+  media_type = format == ImageFormat::jpeg ? "image/jpeg" : format == ImageFormat::webp ? "image/webp" : "image/png";
+  if (format == ImageFormat::png || media_type != "image/png") return image.encoded;
+  Image pixels(image.width(), image.height(), 4);
+  for (int y = 0; y < pixels.height; ++y)
+    for (int x = 0; x < pixels.width; ++x) {
+      const Vec2 uv((float(x) + 0.5f) / float(pixels.width), (float(y) + 0.5f) / float(pixels.height));
+      const Vec4 texel = look_up(image, {.image = 0}, uv, true);
+      std::copy_n(&texel.x, 4, pixels.at(x, y));
+    }
+  LayeredImage picture;
+  picture.layers.push_back({"", std::move(pixels)});
+  ImageWriteOptions options;
+  options.tone_mapping.exposure = 1;
+  return png_codec.encode(picture, options);
+}
 
 bool refers_to_texture(const Json& json) {
   if (json.is_object() && json.contains("index")) return true;
@@ -35,8 +58,9 @@ int MaterialWriter::image(int index) {
   const TextureImage& source = scene_.images[size_t(index)];
   Json json;
   if (!source.name.empty()) json["name"] = source.name;
-  json["bufferView"] = file_.view(source.encoded);
-  json["mimeType"] = source.media_type;
+  std::string media_type;
+  json["bufferView"] = file_.view(encoded(source, media_type));
+  json["mimeType"] = media_type;
   return found->second = file_.add("images", std::move(json));
 }
 
@@ -56,7 +80,7 @@ int MaterialWriter::texture(const Texture& t) {
   if (!fresh) return found->second;
   Json json = {{"sampler", samples}};
   const int source = image(t.image);
-  if (scene_.images[size_t(t.image)].media_type == "image/webp") {
+  if (is_webp(scene_.images[size_t(t.image)])) {
     file_.use("EXT_texture_webp");
     json["extensions"]["EXT_texture_webp"]["source"] = source;
   } else {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "aktina/base/error.h"
-#include "aktina/base/parallel.h"
 #include "aktina/render/catalogue.h"
+#include "aktina/render/job_report.h"
 #include "aktina/render/picture_job.h"
 
 namespace aktina {
@@ -21,7 +21,8 @@ struct Way {
   std::string_view method;
   LayeredImage (*draw)(PictureJob&);
 };
-constexpr Way kWays[] = {{"raster", draw_by_raster}};  // and every integrator: draw_by_rays
+constexpr Way kWays[] = {{"raster", draw_by_raster},
+                         {"radiosity", draw_by_radiosity}};  // and every integrator: draw_by_rays
 
 const Camera& chosen_camera(const Scene& scene, int index) {
   if (scene.cameras.empty()) throw Error(Code::usage, "camera", "the scene has none");
@@ -41,22 +42,13 @@ void fill_size(const Camera& camera, int& width, int& height) {
                 fmt::format("at least 1 x 1, sides up to {}, {} pixels in all", kLargestSide, kMostPicturePixels));
 }
 
-Report begin_report(const Scene& scene, uint32_t seed) {
-  Report report;
-  report.seed = seed;
-  report.scene_file = display(Path(scene.source).filename());
-  report.scene_hash = hash(scene).text();
-  report.threads = thread_count();
-  report.warnings.add(scene.warnings);
-  return report;
-}
-
 /// The command that repeats the picture.
 std::string settings(const PictureJob& job) {
   const RenderOptions& o = job.options;
   std::string line = fmt::format("render {} --method {}", job.report.scene_file, o.method);
   if (o.method == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
   line += fmt::format(" --size {}x{} --seed {}", job.width, job.height, o.seed);
+  if (o.method == "radiosity") line += " " + settings(o.radiosity);
   if (o.samples > 0) line += fmt::format(" --samples {}", o.samples);
   if (o.camera > 0) line += fmt::format(" --camera {}", o.camera);
   if (!o.layers.empty()) line += fmt::format(" --layers {}", fmt::join(o.layers, ","));

@@ -1,0 +1,26 @@
+#include "aktina/render/job_report.h"
+
+#include <fmt/core.h>
+
+#include "aktina/base/parallel.h"
+
+namespace aktina {
+
+Report begin_report(const Scene& scene, uint32_t seed) {
+  Report report;
+  report.seed = seed;
+  report.scene_file = display(Path(scene.source).filename());
+  report.scene_hash = hash(scene).text();
+  report.threads = thread_count();
+  report.warnings.add(scene.warnings);
+  return report;
+}
+
+std::string settings(const RadiosityOptions& o) {
+  std::string line = fmt::format("--solver {} --formfactor {} --mesher {} --patch-size {} --tolerance {}", o.solver,
+                                 o.formfactor, o.mesher, o.patch_size, o.tolerance);
+  if (o.most_steps > 0) line += fmt::format(" --max-steps {}", o.most_steps);
+  return line;
+}
+
+}  // namespace aktina
