@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "aktina/radiosity/formfactor/closed_forms.h"
+#include "aktina/radiosity/formfactor/hemicube.h"
 #include "aktina/radiosity/formfactor/matrix.h"
 #include "aktina/render/validate_cases.h"
 
@@ -42,7 +43,7 @@ void add_form_factor_cases(std::vector<ValidationCase>& cases) {
     cases.push_back({"formfactor", std::move(name), "1", reference, tolerance, std::move(source), std::move(compute)});
   };
   const double opposed = opposed_rectangles(1, 1, 1);
-  for (const std::string method : {"contour", "analytic", "ray_cast", "monte_carlo"})
+  for (const std::string method : {"contour", "analytic", "ray_cast", "hemicube", "monte_carlo"})
     add(method + ": opposed unit squares 1 m apart", opposed,
         method == "contour"    ? 1e-12
         : method == "analytic" ? 1e-6
@@ -63,6 +64,8 @@ void add_form_factor_cases(std::vector<ValidationCase>& cases) {
     method->build({{ceiling_square()}, {}});
     return method->row({0.5, 0.5, 0}, {0, 0, 1}).factors[0];
   });
+  add("hemicube of 1024 cells an edge: share of its top", 0.554126424, 1e-6, "(4 / (pi sqrt 2)) atan(1 / sqrt 2)",
+      [] { return DeltaFormFactors(1024).top_share(); });
   add("closed box 1 x 1.5 x 0.8 m, largest wall", 1, 1e-12, "closure",
       [] { return row_sum(box(1, 1.5, 0.8), "contour", 0); });
   add("closed box 100 x 1 x 0.1 m, smallest wall", 1, 1e-12, "closure",

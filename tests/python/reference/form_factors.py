@@ -6,7 +6,7 @@ import aktina
 from .cases import ANALYTIC, SAMPLED, Method, ids
 
 EXACT = ("contour",)  # held to the analytic tolerance
-BY_SOLID_ANGLE = ("monte_carlo",)  # what is smaller than a sample's share is not seen
+BY_SOLID_ANGLE = ("hemicube", "monte_carlo")  # what is smaller than a sample's share is not seen
 
 
 def kinds():

@@ -91,7 +91,8 @@ TEST_P(EverySampledMethod, ARowFromAPointAgreesWithTheExactOne) {
   EXPECT_NEAR(method->row(x, {0, 0, 1}).factors[1], reference->row(x, {0, 0, 1}).factors[1], 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(FormFactors, EverySampledMethod, testing::Values("ray_cast", "monte_carlo"));
+INSTANTIATE_TEST_SUITE_P(FormFactors, EverySampledMethod,
+                         testing::Values("ray_cast", "hemicube:resolution=128,hemicubes=16", "monte_carlo"));
 
 }  // namespace
 }  // namespace aktina

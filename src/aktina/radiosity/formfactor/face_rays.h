@@ -18,6 +18,7 @@ class FaceRays {
   void build(const Faces& faces);
   /// A world point, lifted off a surface whose normal is n.
   Point3 lifted(Point3d x, Vec3d n) const { return Vec3((x - centre_) / unit_) + kOffset * Vec3(n); }
+  const Mesh& mesh() const { return scene_->meshes[0]; }
   const Accelerator& accelerator() const { return *accelerator_; }
   /// The surface that a hit triangle belongs to; faces.size() and above: an occluder.
   size_t face_of(uint32_t triangle) const { return owners_[triangle]; }

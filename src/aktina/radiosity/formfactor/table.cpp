@@ -3,11 +3,12 @@
 
 namespace aktina {
 
-extern const FormFactorMethodRow contour_formfactor, analytic_formfactor, ray_cast_formfactor, monte_carlo_formfactor;
+extern const FormFactorMethodRow contour_formfactor, analytic_formfactor, ray_cast_formfactor, hemicube_formfactor,
+    monte_carlo_formfactor;
 
 std::span<const FormFactorMethodRow* const> formfactors() {
-  static constexpr const FormFactorMethodRow* kTable[] = {&contour_formfactor, &analytic_formfactor,
-                                                          &ray_cast_formfactor, &monte_carlo_formfactor};
+  static constexpr const FormFactorMethodRow* kTable[] = {
+      &contour_formfactor, &analytic_formfactor, &ray_cast_formfactor, &hemicube_formfactor, &monte_carlo_formfactor};
   return kTable;
 }
 
