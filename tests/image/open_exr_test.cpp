@@ -244,5 +244,20 @@ TEST(OpenExr, AnAttributeLargerThanTheFileIsRefused) {
   EXPECT_EQ(decode_error(std::span(bytes).first(6)), Code::bad_input);
 }
 
+/// The library reads as much as the type says, and would take what follows for names and sizes.
+TEST(OpenExr, AnAttributeOfAnotherSizeThanItsTypeIsRefused) {
+  const std::vector<uint8_t> good = Made{}.bytes();
+  for (const std::string type : {"chlist", "box2i", "float", "v2f", "lineOrder"}) {
+    std::vector<uint8_t> bytes = good;
+    const std::string key = std::string(1, '\0') + type + std::string(1, '\0');
+    const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+    ASSERT_LT(at + std::ptrdiff_t(key.size()), bytes.end()) << type;
+    const auto size = at + std::ptrdiff_t(key.size());
+    ++*size;
+    bytes.insert(size + 4 + (*size - 1), 0);  // one byte more
+    EXPECT_EQ(decode_error(bytes), Code::bad_input) << type;
+  }
+}
+
 }  // namespace
 }  // namespace aktina
