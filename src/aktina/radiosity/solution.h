@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,5 +81,7 @@ struct Solution {
 void save_solution(const Path& path, const Solution& solution);
 /// @throws Error io, bad_input (truncated, corrupt, of another version), limit
 Solution load_solution(const Path& path);
+/// The same from memory. @param where  for messages
+Solution decode_solution(std::span<const uint8_t> bytes, const std::string& where);
 
 }  // namespace aktina

@@ -193,5 +193,11 @@ TEST(LitScene, ShowsRadianceWithoutComputingLight) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], radiosity[c] * float(kInvPi), 0.02f * seen[c]);
 }
 
+TEST(LitScene, RefusesASolutionOfAnotherScene) {
+  const Solution s = solve_radiosity(lit_room(), {.patch_size = 1});
+  EXPECT_THAT([&] { lit_scene(room({1, 1, 1}, Rgb(0.5f)), s); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("another scene")));
+}
+
 }  // namespace
 }  // namespace aktina
