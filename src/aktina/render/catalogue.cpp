@@ -9,6 +9,7 @@
 #include "aktina/radiosity/formfactor/formfactor.h"
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/solver.h"
+#include "aktina/radiosity/specular/specular.h"
 #include "aktina/raster/shading/shading_method.h"
 #include "aktina/trace/accelerator/accelerator.h"
 #include "aktina/trace/integrator/integrator.h"
@@ -71,6 +72,8 @@ const std::vector<Family>& families() {
        rows(integrators())},
       {"radiosity", "Radiosity solvers", "How the light between diffuse surfaces is balanced.", "radiosity/solver",
        rows(solvers())},
+      {"specular", "Specular light with radiosity", "How mirrors and glass come into a picture of a solution.",
+       "radiosity/specular", rows(specular_methods())},
   };
   return table;
 }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "aktina/base/error.h"
+#include "aktina/radiosity/display/patch_scene.h"
 #include "aktina/radiosity/solve.h"
 #include "aktina/scene/tessellate.h"
 
@@ -101,18 +101,6 @@ class LitMesh {
   Mesh mesh_;
   std::map<std::pair<uint32_t, bool>, uint32_t> ids_;
 };
-
-/// A solution may come from a file, and its scene have changed since.
-void check_places(const Scene& scene, const Solution& solution) {
-  const auto lies_on_scene = [&](const SurfacePoint& at) {
-    if (at.instance >= scene.instances.size() || scene.instances[at.instance].mesh < 0) return false;
-    return at.triangle < scene.meshes[size_t(scene.instances[at.instance].mesh)].triangles.size();
-  };
-  const PatchMesh& mesh = solution.mesh;
-  if (!std::all_of(mesh.centres.begin(), mesh.centres.end(), lies_on_scene) ||
-      !std::all_of(mesh.places.begin(), mesh.places.end(), lies_on_scene))
-    throw Error(Code::usage, scene.source, "the solution is of another scene", "solve this scene again");
-}
 
 }  // namespace
 
