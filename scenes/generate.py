@@ -48,7 +48,7 @@ class Mesh:
         origin = minus(centre, half(plus(plus(x, y), z)))
         far = plus(plus(plus(origin, x), y), z)
         self.quad(plus(origin, z), x, y, scale).quad(plus(origin, x), negative(x), y, scale)
-        self.quad(far, negative(z), negative(y), scale).quad(origin, z, y, scale)
+        self.quad(far, negative(y), negative(z), scale).quad(origin, z, y, scale)
         self.quad(plus(plus(origin, y), z), x, negative(z), scale)
         return self.quad(origin, x, z, scale)
 
