@@ -38,6 +38,21 @@ TEST(SolveRadiosity, ProgressiveRefinementConvergesToTheMatrixSolution) {
     EXPECT_NEAR(progressive.irradiances[i].v.r, matrix.irradiances[i].v.r, 2e-4f * matrix.irradiances[i].v.r + 1e-3f);
 }
 
+TEST(SolveRadiosity, AnyFormFactorMethodGivesTheSameLight) {
+  Scene scene = room({2, 2, 2}, Rgb(0.6f));
+  scene.materials[1].emission = lambertian_radiance(Radiosity(Rgb(100)));
+  RadiosityOptions options{.mesher = "uniform:shooter=1", .patch_size = 0.41, .tolerance = 1e-3};
+  const Solution rays = solve_radiosity(scene, options);
+  options.formfactor = "analytic";
+  const Solution rows = solve_radiosity(scene, options);
+  for (size_t i = 0; i < rays.mesh.size(); ++i)
+    EXPECT_NEAR(rows.irradiances[i].v.g, rays.irradiances[i].v.g, 0.12f * rays.irradiances[i].v.g);
+  options.formfactor = "ray_cast:samples=0";
+  EXPECT_THROW(solve_radiosity(scene, options), Error);
+  options.formfactor = "rays";
+  EXPECT_THROW(solve_radiosity(scene, options), Error);
+}
+
 TEST(SolveRadiosity, AccountsForTheEnergyOfAClosedRoom) {
   const Solution s = solve_radiosity(lit_room(), {.patch_size = 0.2});
   EXPECT_NEAR(s.emitted, 36, 1e-3);
@@ -195,8 +210,11 @@ TEST(LitScene, ShowsRadianceWithoutComputingLight) {
 
 TEST(LitScene, RefusesASolutionOfAnotherScene) {
   const Solution s = solve_radiosity(lit_room(), {.patch_size = 1});
-  EXPECT_THAT([&] { lit_scene(room({1, 1, 1}, Rgb(0.5f)), s); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("another scene")));
+  EXPECT_THAT(
+      [&] {
+        lit_scene(room({1, 1, 1}, Rgb(0.5f)), s);
+      },
+      testing::ThrowsMessage<Error>(testing::HasSubstr("another scene")));
 }
 
 }  // namespace

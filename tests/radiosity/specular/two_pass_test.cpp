@@ -39,10 +39,10 @@ double relative_difference(const Image& a, const Image& b) {
 TEST(TwoPass, AgreesWithPathTracingWhereAllIsDiffuse) {
   const Scene scene = lit_room();
   const Solution solution = solve_radiosity(scene, {.patch_size = 0.1, .tolerance = 1e-3});
-  const LayeredImage two_pass = render_two_pass(scene, solution, view(), 40, 30, {.samples = 64});
+  const LayeredImage two_pass = render_two_pass(scene, solution, view(), 32, 24, {.samples = 64});
   TraceOptions path;
-  path.samples = 256;
-  const LayeredImage traced = trace(scene, view(), 40, 30, path);
+  path.samples = 144;
+  const LayeredImage traced = trace(scene, view(), 32, 24, path);
   const Image &a = two_pass.layers[0].image, &b = traced.layers[0].image;
   EXPECT_LT(relative_difference(a, b), 0.05);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean(a)[c], mean(b)[c], 0.02f * mean(b)[c]);
@@ -51,10 +51,10 @@ TEST(TwoPass, AgreesWithPathTracingWhereAllIsDiffuse) {
 TEST(TwoPass, RadiosityAloneAgreesWithPathTracingToo) {
   const Scene scene = lit_room();
   const Solution solution = solve_radiosity(scene, {.patch_size = 0.1, .tolerance = 1e-3});
-  const Image a = render_solution(scene, solution, view(), 40, 30).layers[0].image;
+  const Image a = render_solution(scene, solution, view(), 32, 24).layers[0].image;
   TraceOptions path;
-  path.samples = 256;
-  const Image b = trace(scene, view(), 40, 30, path).layers[0].image;
+  path.samples = 144;
+  const Image b = trace(scene, view(), 32, 24, path).layers[0].image;
   EXPECT_LT(relative_difference(a, b), 0.08);
   EXPECT_NEAR(mean(a).g, mean(b).g, 0.02f * mean(b).g);
 }
@@ -69,7 +69,7 @@ TEST(TwoPass, AMirrorShowsWhatIsInFrontOfIt) {
   const Camera at_mirror = look_at({1, 1, 1}, {1, 1, 0}, {0, 1, 0}, 0.1f);
   const Rgb seen = mean(render_two_pass(scene, solution, at_mirror, 8, 8, {.samples = 16}).layers[0].image);
   TraceOptions path;
-  path.samples = 256;
+  path.samples = 144;
   const Rgb expected = mean(trace(scene, at_mirror, 8, 8, path).layers[0].image);
   EXPECT_GT(expected.g, 0.5f);
   EXPECT_NEAR(seen.g, expected.g, 0.1f * expected.g);
@@ -79,9 +79,9 @@ TEST(TwoPass, SameBytesForAnyNumberOfThreads) {
   const Scene scene = lit_room();
   const Solution solution = solve_radiosity(scene, {.patch_size = 0.3, .tolerance = 0.1});
   set_thread_count(1);
-  const auto one = render_two_pass(scene, solution, view(), 40, 30, {.samples = 2}).layers[0].image.pixels;
+  const auto one = render_two_pass(scene, solution, view(), 32, 24, {.samples = 2}).layers[0].image.pixels;
   set_thread_count(2);
-  const auto two = render_two_pass(scene, solution, view(), 40, 30, {.samples = 2}).layers[0].image.pixels;
+  const auto two = render_two_pass(scene, solution, view(), 32, 24, {.samples = 2}).layers[0].image.pixels;
   set_thread_count(0);
   EXPECT_EQ(one, two);
 }

@@ -1,6 +1,7 @@
 // Form factors of a shot: from every receiving point to the patch that shoots.
 #pragma once
 
+#include "aktina/radiosity/formfactor/formfactor.h"
 #include "aktina/radiosity/solver/sides.h"
 #include "aktina/radiosity/solver/visibility.h"
 
@@ -30,6 +31,24 @@ class RayCastShots final : public FactorSource {
   int samples_;
   uint32_t seed_;
 };
+
+/// A row of any form-factor method, from the middle of what shoots: one row a shot, as progressive refinement with the
+/// hemicube was published. Opaque one-sided patches only. Factors above 1 by reciprocity count as 1.
+class RowShots final : public FactorSource {
+ public:
+  /// @throws Error unsupported (two-sided or transparent patches), bad_input, limit
+  RowShots(const Sides& sides, std::unique_ptr<FormFactorMethod> method);
+  void column(size_t shooter, std::span<double> factors) const override;
+
+ private:
+  const Sides& sides_;
+  std::unique_ptr<FormFactorMethod> method_;
+};
+
+/// The shots that RadiosityOptions::formfactor names: "ray_cast" (with `samples`), or a row of formfactors().
+/// @throws Error usage, bad_param, no_such_method, unsupported, limit
+std::unique_ptr<FactorSource> make_shots(std::string_view formfactor, const Sides& sides, const Visibility& visibility,
+                                         uint32_t seed);
 
 /// Factor from a differential area at x with normal n to a planar triangle or convex quadrilateral, both one-sided; no
 /// visibility. Relative error 1e-6; absolute 1e-9.

@@ -16,8 +16,6 @@
 namespace aktina {
 namespace {
 
-constexpr int kRays = 4;  // shadow rays of a receiver to a patch near by
-
 std::string settings_of(const RadiosityOptions& o) {
   return fmt::format("solver={} formfactor={} mesher={} patch_size={:g} tolerance={:g} most_steps={} seed={}", o.solver,
                      o.formfactor, o.mesher, o.patch_size, o.tolerance, o.most_steps, o.seed);
@@ -93,16 +91,16 @@ Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options, Pr
 
   const Sides sides(solution.mesh);
   const Visibility visibility(*tessellated);
+  const auto factors = make_shots(options.formfactor, sides, visibility, options.seed);
   RadiosityProblem problem = sides.problem();
   problem.arriving = direct_light(*tessellated, sides, visibility, options.seed, progress);
-  const RayCastShots factors(sides, visibility, kRays, options.seed);
   SolverControl control = control_of(options, progress);
   if (options.each_step)
     control.each_step = [&](const RadiosityState& state) {
       fill(solution, sides, state);
       options.each_step({state.steps, state.unshot_share, ambient_light(problem, state), &solution});
     };
-  fill(solution, sides, solver->solve(problem, factors, control));
+  fill(solution, sides, solver->solve(problem, *factors, control));
   reconstruct_vertices(solution);
   return solution;
 }

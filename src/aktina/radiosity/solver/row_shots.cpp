@@ -1,0 +1,72 @@
+// Shots by any form-factor method, and the choice between them and rays.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "aktina/base/error.h"
+#include "aktina/radiosity/solver/shots.h"
+
+namespace aktina {
+namespace {
+
+constexpr double kUsualSamples = 4;
+
+Polygon polygon_of(const PatchMesh& mesh, size_t patch) {
+  Polygon polygon;
+  for (size_t k = 0; k < (mesh.is_quad(patch) ? 4U : 3U); ++k)
+    polygon.vertices.emplace_back(mesh.positions[mesh.patches[patch][k]]);
+  return polygon;
+}
+
+int ray_samples(const MethodChoice& choice) {
+  double samples = kUsualSamples;
+  for (const auto& [name, value] : choice.values) {
+    if (name != "samples")
+      throw Error(Code::usage, "ray_cast." + name, "shots of radiosity do not know this parameter",
+                  "there is: samples");
+    samples = value;
+  }
+  if (!(samples >= 1 && samples <= RayCastShots::kMostSamples) || samples != double(int(samples)))
+    throw Error(Code::bad_param, "ray_cast.samples", fmt::format("got {:g}", samples),
+                fmt::format("accepted 1 .. {}, whole", RayCastShots::kMostSamples));
+  return int(samples);
+}
+
+}  // namespace
+
+RowShots::RowShots(const Sides& sides, std::unique_ptr<FormFactorMethod> method)
+    : sides_(sides), method_(std::move(method)) {
+  const PatchMesh& mesh = sides.mesh();
+  FormFactorScene scene;
+  for (size_t i = 0; i < mesh.size(); ++i) {
+    if (mesh.two_sided[i] || !is_black(mesh.transmittances[i]))
+      throw Error(Code::unsupported, "formfactor", "this method takes opaque, one-sided surfaces only",
+                  "formfactor=ray_cast");
+    scene.surfaces.push_back(polygon_of(mesh, i));
+  }
+  method_->build(scene);
+}
+
+void RowShots::column(size_t shooter, std::span<double> factors) const {
+  const Sides::Shooter& from = sides_.shooters()[shooter];
+  const auto& c = from.corners;
+  const bool quad = c[2] != c[3];
+  const Point3 middle = quad ? 0.25f * (c[0] + c[1] + c[2] + c[3]) : (c[0] + c[1] + c[2]) * (1.0f / 3);
+  const FormFactorRow row = method_->row(Point3d(middle), Vec3d(from.normal));
+  double area = 0;
+  for (size_t s = from.range.first; s < from.range.first + from.range.count; ++s)
+    area += double(sides_.mesh().areas[s]);
+  for (size_t s = 0; s < factors.size(); ++s) {
+    const bool own = s >= from.range.first && s < from.range.first + from.range.count;
+    factors[s] = own ? 0 : std::clamp(row.factors[s] * area / double(sides_.mesh().areas[s]), 0.0, 1.0);
+  }
+}
+
+std::unique_ptr<FactorSource> make_shots(std::string_view formfactor, const Sides& sides, const Visibility& visibility,
+                                         uint32_t seed) {
+  const MethodChoice choice = parse_method(formfactor);
+  if (choice.id == "ray_cast") return std::make_unique<RayCastShots>(sides, visibility, ray_samples(choice), seed);
+  return std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", formfactor));
+}
+
+}  // namespace aktina
