@@ -23,5 +23,6 @@ PYBIND11_MODULE(_core, m) {
   bind_shading(m);
   bind_geometry(m);
   bind_form_factors(m);
+  bind_scene(m);
   bind_radiosity(m);
 }

@@ -38,6 +38,9 @@ class FromDict {
     }
   }
 
+  /// A field that somebody else reads.
+  void expect_known(const char* name) { known_.insert(name); }
+
   /// @throws Error usage if the dictionary holds a key that no field has
   void expect_all_read() const {
     std::string choices;

@@ -5,6 +5,7 @@
 
 #include "aktina/illumination/normals/normals.h"
 #include "aktina/trace/primitive/primitive.h"
+#include "aktina/trace/refract.h"
 #include "arrays.h"
 #include "fields.h"
 #include "primitive_dict.h"
@@ -74,11 +75,36 @@ py::object normal_of_vertex(const std::string& method, const py::buffer& vertex,
   return py::make_tuple(n.x, n.y, n.z);
 }
 
+/// Unit directions and shares at a boundary of two media; refracted: NaN at total internal reflection.
+void refract_rays(const py::buffer& incident, const py::buffer& normals, double n1, double n2, bool whitted_form,
+                  const py::buffer& refracted, const py::buffer& reflectance) {
+  const Rows<const double> in(incident, 3, "incident"), normal(normals, 3, "normal");
+  const Rows<double> out(refracted, 3, "out"), shares(reflectance, 2, "reflectance");
+  for (size_t i = 0; i < out.size(); ++i) {
+    const Vec3d d = vec3d(in.row_or_only(i)), n = vec3d(normal.row_or_only(i));
+    const auto through = whitted_form ? refract_direction_whitted(d, n, n2 / n1) : refract_direction(d, n, n2 / n1);
+    for (int k = 0; k < 3 && through; ++k) out.row(i)[k] = (*through)[k];
+    const FresnelReflectance f = fresnel_reflectance(std::abs(dot(d, n)), n2 / n1);
+    shares.row(i)[0] = f.s, shares.row(i)[1] = f.p;
+  }
+}
+
+void reflect_rays(const py::buffer& incident, const py::buffer& normals, const py::buffer& reflected) {
+  const Rows<const double> in(incident, 3, "incident"), normal(normals, 3, "normal");
+  const Rows<double> out(reflected, 3, "out");
+  for (size_t i = 0; i < out.size(); ++i) {
+    const Vec3d r = reflect_direction(vec3d(in.row_or_only(i)), vec3d(normal.row_or_only(i)));
+    for (int k = 0; k < 3; ++k) out.row(i)[k] = r[k];
+  }
+}
+
 }  // namespace
 
 void bind_geometry(py::module_& m) {
   m.def("intersect", &intersect_shape);
   m.def("vertex_normal", &normal_of_vertex);
+  m.def("refract", &refract_rays);
+  m.def("reflect", &reflect_rays);
 }
 
 }  // namespace aktina::python

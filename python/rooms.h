@@ -13,6 +13,7 @@ void bind_geometry(py::module_& m);
 void bind_illumination(py::module_& m);
 void bind_images(py::module_& m);
 void bind_lights(py::module_& m);
+void bind_scene(py::module_& m);
 void bind_shading(py::module_& m);
 void bind_catalogue(py::module_& m);
 void bind_radiosity(py::module_& m);

@@ -10,10 +10,11 @@ from ._errors import (BadInput, BadParam, Cancelled, CheckFailed, Error, FileErr
                       Unsupported, UsageError)
 from ._facets import facet_distribution, fresnel, groove_masking
 from ._form_factors import form_factor, form_factors, polygon_area
-from ._geometry import Hits, intersect, vertex_normal
+from ._geometry import Hits, intersect, reflect, refract, vertex_normal
 from ._illumination import highlight, illuminate, schlick_power
 from ._images import compare, read_image, write_image
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
+from ._scene import Scene, load, radiance, trace
 from ._shading import interpolate, interpolate_samples
 from ._radiosity import solve_radiosity
 

@@ -1,5 +1,5 @@
 """Types of the package's public names; the docstrings stand in the modules."""
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 import os
 from typing import Any
 
@@ -129,3 +129,38 @@ def write_image(
     metadata: dict[str, str] | None = None,
 ) -> None: ...
 def compare(a: ArrayLike, b: ArrayLike, range: str = "auto") -> dict[str, Any]: ...
+
+def reflect(incident: ArrayLike, normal: ArrayLike) -> NDArray[np.float64]: ...
+def refract(
+    incident: ArrayLike, normal: ArrayLike, n1: float, n2: float, form: str = "snell"
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+# Scenes.
+class Scene:
+    def __init__(
+        self,
+        objects: Iterable[dict[str, Any]] = (),
+        lights: Iterable[dict[str, Any]] = (),
+        camera: dict[str, Any] | None = None,
+        ambient: ArrayLike = 0.0,
+        background: ArrayLike = 0.0,
+        sky: ArrayLike = 0.0,
+    ) -> None: ...
+    @property
+    def triangles(self) -> int: ...
+    @property
+    def hash(self) -> str: ...
+    @property
+    def warnings(self) -> list[tuple[str, int]]: ...
+
+def load(path: str | os.PathLike[str]) -> Scene: ...
+def trace(scene: Scene, origins: ArrayLike, directions: ArrayLike, near: float = 0.0, far: float = ...) -> Hits: ...
+def radiance(
+    scene: Scene,
+    origins: ArrayLike,
+    directions: ArrayLike,
+    method: str = "path",
+    samples: int = 16,
+    seed: int = 0,
+    progress: Callable[[str, str, int, int, float], object] | None = None,
+) -> NDArray[np.float32]: ...

@@ -2,7 +2,8 @@
 import numpy as np
 
 from . import _core
-from ._arrays import number, one_vector, rows, spread
+from ._arrays import number, one_vector, rows, spread, unit_vectors
+from ._errors import UsageError
 
 
 class Hits:
@@ -71,3 +72,44 @@ def vertex_normal(method, vertex, rim, closed=True):
     """
     rim = np.ascontiguousarray(rows("rim", rim, 3, np.float64))
     return np.array(_core.vertex_normal(method, one_vector("vertex", vertex), rim, bool(closed)))
+
+
+def reflect(incident, normal):
+    """Direction of the mirrored ray.
+
+    incident, normal : (..., 3), unit; incident runs towards the surface.  Returns (..., 3) float64, unit.
+
+    >>> import aktina
+    >>> aktina.reflect([0.6, -0.8, 0], [0, 1, 0]).round(12).tolist()
+    [0.6, 0.8, 0.0]
+    """
+    shape, (incident, normal) = spread(incident=unit_vectors("incident", incident, np.float64),
+                                       normal=unit_vectors("normal", normal, np.float64))
+    out = np.empty((*shape, 3))
+    _core.reflect(incident, normal, out)
+    return out
+
+
+def refract(incident, normal, n1, n2, form="snell"):
+    """Direction of the ray that passes a boundary, and the shares of light that are reflected instead.
+
+    incident, normal : (..., 3), unit; incident runs towards the surface, the normal may be on either side.
+    n1, n2 : indices of refraction of the medium that is left and of the one that is entered.
+    form : "snell", or "whitted" for the formula of whitted1980; they agree within rounding.
+    Returns (direction, reflectance): (..., 3) float64, unit, NaN at total internal reflection; (..., 2) float64, for light
+    polarized across and along the plane of incidence, 1 at total internal reflection. Their mean is Fresnel's
+    reflectance of unpolarized light.
+
+    >>> import aktina
+    >>> direction, reflectance = aktina.refract([0, -1, 0], [0, 1, 0], 1, 1.5)
+    >>> direction.tolist(), reflectance.round(4).tolist()
+    ([0.0, -1.0, 0.0], [0.04, 0.04])
+    """
+    if form not in ("snell", "whitted"):
+        raise UsageError(f"got {form!r}", "form", "snell or whitted")
+    shape, (incident, normal) = spread(incident=unit_vectors("incident", incident, np.float64),
+                                       normal=unit_vectors("normal", normal, np.float64))
+    direction, reflectance = np.full((*shape, 3), np.nan), np.empty((*shape, 2))
+    _core.refract(incident, normal, number("n1", n1, 1e-6), number("n2", n2, 1e-6), form == "whitted", direction,
+                  reflectance)
+    return direction, reflectance
