@@ -24,17 +24,14 @@ Between find(const std::vector<float>& angles, float value) {
   return {high - 1, high, (value - angles[high - 1]) / (angles[high] - angles[high - 1])};
 }
 
-/// Integral of I(gamma) sin(gamma) over one plane, I linear between the angles.
+double cosine(float degrees) { return std::cos(double(degrees) * kPi / 180); }
+
+/// Integral of I over the cosine of gamma in one plane: the zonal sum of photometry.
 double plane_integral(const PhotometricTable& table, size_t plane) {
   const float* candela = &table.candela[plane * table.gamma.size()];
   double sum = 0;
-  for (size_t i = 0; i + 1 < table.gamma.size(); ++i) {
-    const double a = double(table.gamma[i]) * kPi / 180, b = double(table.gamma[i + 1]) * kPi / 180;
-    const double slope = (double(candela[i + 1]) - double(candela[i])) / (b - a);
-    // By parts: the antiderivative of (I0 + s (x - a)) sin x is -(I0 + s (x - a)) cos x + s sin x.
-    sum +=
-        double(candela[i]) * std::cos(a) - double(candela[i + 1]) * std::cos(b) + slope * (std::sin(b) - std::sin(a));
-  }
+  for (size_t i = 0; i + 1 < table.gamma.size(); ++i)
+    sum += (double(candela[i]) + double(candela[i + 1])) / 2 * (cosine(table.gamma[i]) - cosine(table.gamma[i + 1]));
   return sum;
 }
 
@@ -67,7 +64,12 @@ void check(const PhotometricTable& table) {
 
 float intensity(const PhotometricTable& table, float c, float gamma) {
   if (gamma < table.gamma.front() || gamma > table.gamma.back()) return 0;
-  const Between g = find(table.gamma, gamma), p = find(table.c, c);
+  Between g = find(table.gamma, gamma);
+  const Between p = find(table.c, c);
+  if (g.low != g.high) {
+    const double low = cosine(table.gamma[g.low]), high = cosine(table.gamma[g.high]);
+    g.t = float((low - cosine(gamma)) / (low - high));
+  }
   const auto at = [&](size_t plane) {
     const float* candela = &table.candela[plane * table.gamma.size()];
     return candela[g.low] + (candela[g.high] - candela[g.low]) * g.t;

@@ -18,7 +18,8 @@ struct PhotometricTable {
 /// @throws Error bad_param unless the angles are as above and each direction has its finite intensity
 void check(const PhotometricTable& table);
 
-/// Linear between the angles. cd
+/// Linear between the planes and, in each, in the cosine of gamma: so the flux of the light is the zonal sum that
+/// photometric reports state. cd
 /// @param c  degrees, [0, 360]; @param gamma  degrees, [0, 180]
 float intensity(const PhotometricTable& table, float c, float gamma);
 /// The same for a direction, where gamma = 0 is `axis` and gamma = 90 in plane C0 is `c0`. All unit, c0 across the
