@@ -9,12 +9,14 @@
 namespace aktina::app {
 namespace {
 
-constexpr std::string_view kFormats[] = {"vtu", "csv", "glb", "gltf"};
+constexpr std::string_view kFormats[] = {"aktina", "vtu", "csv", "glb", "gltf"};
 
 void write(const Path& output, const Scene& scene, const Radiosities& result) {
   const Metadata metadata = provenance(result.report);
   const std::string extension = lower_extension(output);
-  if (extension == "vtu")
+  if (extension == "aktina")
+    save_solution(output, result.solution);
+  else if (extension == "vtu")
     write_vtu(output, result.solution, metadata);
   else if (extension == "csv")
     write_patches_csv(output, scene, result.solution, metadata);
@@ -56,7 +58,8 @@ int run(const Arguments& arguments, Session& session) {
 
 constexpr Option kOutputs[] = {
     {.name = "output",
-     .help = "the solution: .vtu (ParaView), .csv (a line a patch), .glb or .gltf (lit model); may be given again",
+     .help = "the solution: .aktina (all of it), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (lit model); "
+             "may be given again",
      .kind = Kind::file,
      .value = "FILE",
      .letter = 'o',

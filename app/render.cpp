@@ -12,7 +12,7 @@
 namespace aktina::app {
 namespace {
 
-constexpr std::string_view kWays[] = {"raster", "radiosity"};
+constexpr std::string_view kWays[] = {"raster", "radiosity", "two_pass"};
 constexpr std::string_view kCurves[] = {"none", "reinhard", "filmic"};
 constexpr std::string_view kFormats[] = {"png", "exr", "hdr", "pfm"};
 
@@ -176,6 +176,9 @@ constexpr Option kPictureOptions[] = {
 constexpr auto kOptions = joined(kPictureOptions, kRadiosityOptions);
 constexpr Example kExamples[] = {
     {"a picture", "aktina render room.glb -o room.png"},
+    {"linear, with layers, for compositing",
+     "aktina render room.glb -o room.exr --samples 64 --layers albedo,N,direct,indirect"},
+    {"radiosity between matt surfaces, rays for mirrors and glass", "aktina render room.glb -o room.png -m two_pass"},
     {"quick, at a given size", "aktina render room.glb -o room.png --method raster --shading gouraud --size 640x480"},
 };
 

@@ -21,6 +21,7 @@ LoadedScene load(const Arguments& arguments, const Session& session) {
 RadiosityOptions radiosity_options(const Arguments& arguments) {
   RadiosityOptions options;
   options.solver = arguments.text("solver");
+  options.formfactor = arguments.text("formfactor");
   options.mesher = arguments.text("mesher");
   options.patch_size = arguments.number("patch-size");
   options.tolerance = arguments.number("tolerance");

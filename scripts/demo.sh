@@ -32,10 +32,12 @@ row file method seconds
 make_file gouraud.png "rasterized, Gouraud shading" render $scene "${size[@]}" --method raster --shading gouraud
 make_file phong.png "rasterized, Phong shading" render $scene "${size[@]}" --method raster --shading phong
 make_file whitted.png "ray traced, Whitted" render $scene "${size[@]}" --method whitted
-make_file path.png "path traced, 32 samples a pixel" render $scene "${size[@]}" --method path --samples 32
-make_file path.exr "the same at 8 samples, linear, with layers" \
-  render $scene "${size[@]}" --method path --samples 8 --layers albedo,N,Z,direct,indirect,illuminance
+make_file path.png "path traced, 16 samples a pixel" render $scene "${size[@]}" --method path --samples 16
+make_file path.exr "the same at 4 samples, linear, with layers" \
+  render $scene "${size[@]}" --method path --samples 4 --layers albedo,N,Z,direct,indirect,illuminance
 make_file radiosity.png "radiosity" render $scene "${size[@]}" --method radiosity "${light[@]}"
+make_file two_pass.png "two passes: radiosity, then rays, 8 samples a pixel" \
+  render $scene "${size[@]}" --method two_pass --samples 8 "${light[@]}"
 make_file room.lit.glb "radiosity as a lit model, for any glTF viewer" bake $scene "${light[@]}"
 echo
 if [ $drawn -eq 0 ]; then

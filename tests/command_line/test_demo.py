@@ -5,7 +5,7 @@ import unittest
 
 from program import PROGRAM, REPOSITORY, ProgramTest
 
-FILES = ("gouraud.png", "phong.png", "whitted.png", "path.png", "path.exr", "radiosity.png", "room.lit.glb")
+FILES = ("gouraud.png", "phong.png", "whitted.png", "path.png", "path.exr", "radiosity.png", "two_pass.png", "room.lit.glb")
 
 
 class Demo(ProgramTest):

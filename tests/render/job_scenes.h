@@ -5,7 +5,7 @@
 
 namespace aktina::test {
 
-inline constexpr const char* kRenderMethods[] = {"raster", "whitted", "direct", "path", "radiosity"};
+inline constexpr const char* kRenderMethods[] = {"raster", "whitted", "direct", "path", "radiosity", "two_pass"};
 
 inline Mesh square(const std::string& name, float height, float half, bool up, int material) {
   Mesh mesh;

@@ -22,7 +22,8 @@ struct Way {
   LayeredImage (*draw)(PictureJob&);
 };
 constexpr Way kWays[] = {{"raster", draw_by_raster},
-                         {"radiosity", draw_by_radiosity}};  // and every integrator: draw_by_rays
+                         {"radiosity", draw_by_radiosity},
+                         {"two_pass", draw_by_two_passes}};  // and every integrator: draw_by_rays
 
 const Camera& chosen_camera(const Scene& scene, int index) {
   if (scene.cameras.empty()) throw Error(Code::usage, "camera", "the scene has none");
@@ -48,7 +49,7 @@ std::string settings(const PictureJob& job) {
   std::string line = fmt::format("render {} --method {}", job.report.scene_file, o.method);
   if (o.method == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
   line += fmt::format(" --size {}x{} --seed {}", job.width, job.height, o.seed);
-  if (o.method == "radiosity") line += " " + settings(o.radiosity);
+  if (o.method == "radiosity" || o.method == "two_pass") line += " " + settings(o.radiosity);
   if (o.samples > 0) line += fmt::format(" --samples {}", o.samples);
   if (o.camera > 0) line += fmt::format(" --camera {}", o.camera);
   if (!o.layers.empty()) line += fmt::format(" --layers {}", fmt::join(o.layers, ","));

@@ -22,6 +22,7 @@ struct PictureJob {
 LayeredImage draw_by_raster(PictureJob& job);
 LayeredImage draw_by_rays(PictureJob& job);  // any integrator
 LayeredImage draw_by_radiosity(PictureJob& job);
+LayeredImage draw_by_two_passes(PictureJob& job);
 
 /// @throws Error usage where a layer is wanted that is not among `known`, which the method has
 void check_layers(const PictureJob& job, std::span<const std::string_view> known);

@@ -28,6 +28,7 @@ Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress&
   result.solution = solve_radiosity(scene, options, &progress);
   report.time("solve", watch.lap());
   add_to_report(report, result.solution, progress);
+  result.solution.settings = report.settings, result.solution.scene_hash = report.scene_hash;
   return result;
 }
 
