@@ -11,7 +11,7 @@ namespace aktina::app {
 
 inline constexpr Option kSceneInput[] = {
     {.name = "scene",
-     .help = "glTF (.gltf, .glb), OBJ, PLY, STL, or what else Assimp reads",
+     .help = "glTF (.gltf, .glb), OBJ, PLY, STL or OFF",
      .kind = Kind::file,
      .value = "SCENE",
      .required = true},

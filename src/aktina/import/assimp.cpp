@@ -1,4 +1,4 @@
-// FBX, DAE, 3DS.
+// Formats without a reader: refused.
 #include "aktina/base/error.h"
 #include "aktina/import/import.h"
 

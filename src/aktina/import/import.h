@@ -17,7 +17,7 @@ struct ImportOptions {
   bool default_camera = true, default_light = true;
 };
 
-/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF; FBX, DAE, 3DS.
+/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF.
 /// By content first, then by the extension.
 /// @throws Error bad_input, io, limit, unsupported
 Scene load_scene(const Path& path, const ImportOptions& options = {});
@@ -30,7 +30,7 @@ Scene read_obj(std::span<const uint8_t> bytes, const Path& folder, const std::st
 Scene read_ply(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_stl(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_off(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
-/// What Assimp reads and Aktina lets it: FBX, DAE, 3DS.
+/// FBX, DAE, 3DS: refused as unsupported.
 Scene read_assimp(std::span<const uint8_t> bytes, const std::string& extension, const Path& folder,
                   const std::string& where, const ImportOptions& options = {});
 
