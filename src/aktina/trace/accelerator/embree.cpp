@@ -280,10 +280,10 @@ void Embree::intersect_by(const RayPacket& rays, uint32_t lanes, HitPacket& hits
 }
 
 template <int N>
-uint32_t Embree::occluded_by(const RayPacket& rays, uint32_t lanes, Coherence coherence) const {
+uint32_t Embree::occluded_by(const RayPacket& rays, uint32_t lanes, Coherence /*coherence*/) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  if (coherence == Coherence::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  // Never flagged as coherent: Embree 3.13 was seen to loop for ever in such shadow rays.
   uint32_t blocked = 0;
   for (int first = 0; first < kPacket; first += N) {
     const uint32_t bits = lanes >> first & ((1U << N) - 1);

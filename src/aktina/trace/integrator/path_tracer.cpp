@@ -170,7 +170,7 @@ void PathTracer::radiance(const RayScene& scene, std::span<const RadianceQuery> 
         });
     paths.resize(alive);
     counts.shadow_rays += wave.shadows.trace(
-        scene, coherence, [&](const ShadowRay& ray) { wave.add(ray.query, ray.first ? 1 : 2, ray.light); });
+        scene, Coherence::incoherent, [&](const ShadowRay& ray) { wave.add(ray.query, ray.first ? 1 : 2, ray.light); });
     coherence = Coherence::incoherent;
   }
 }
