@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "aktina/base/error.h"
-#include "aktina/export/export.h"
 #include "aktina/render/job.h"
 #include "scene_options.h"
 
@@ -10,19 +9,6 @@ namespace aktina::app {
 namespace {
 
 constexpr std::string_view kFormats[] = {"aktina", "vtu", "csv", "glb", "gltf"};
-
-void write(const Path& output, const Scene& scene, const Radiosities& result) {
-  const Metadata metadata = provenance(result.report);
-  const std::string extension = lower_extension(output);
-  if (extension == "aktina")
-    save_solution(output, result.solution);
-  else if (extension == "vtu")
-    write_vtu(output, result.solution, metadata);
-  else if (extension == "csv")
-    write_patches_csv(output, scene, result.solution, metadata);
-  else
-    write_lit_gltf(output, scene, result.solution, {.metadata = metadata});
-}
 
 /// What an engineer wants to see at once.
 std::string summary(const Solution& s) {
@@ -48,7 +34,7 @@ int run(const Arguments& arguments, Session& session) {
   complete(result.report, loaded, session);
   Stopwatch watch;
   for (const Path& output : outputs) {
-    write(output, loaded.scene, result);
+    write_radiosities(output, loaded.scene, result);
     session.wrote(output);
   }
   result.report.time("write", watch.lap());

@@ -24,5 +24,6 @@ PYBIND11_MODULE(_core, m) {
   bind_geometry(m);
   bind_form_factors(m);
   bind_scene(m);
+  bind_jobs(m);
   bind_radiosity(m);
 }

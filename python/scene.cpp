@@ -7,6 +7,7 @@
 #include "aktina/import/import.h"
 #include "aktina/trace/radiance.h"
 #include "arrays.h"
+#include "camera_dict.h"
 #include "fields.h"
 #include "light_dict.h"
 #include "material_dict.h"
@@ -98,13 +99,30 @@ void add_object(Scene& scene, const py::dict& dict) {
 
 void add_light(Scene& scene, const py::dict& dict) { scene.lights.push_back({"", light_from(dict), -1}); }
 
-void add_camera(Scene& scene, const py::dict& dict) {
-  Vec3 position(0, 0, 5), target(0), up(0, 1, 0);
-  float fov = 0.7f;
-  FromDict reader(dict, "camera");
-  reader("position", position), reader("target", target), reader("up", up), reader("vertical_fov", fov);
-  reader.expect_all_read();
-  scene.cameras.push_back(look_at(position, target, up, fov));
+void add_camera(Scene& scene, const py::dict& dict) { scene.cameras.push_back(camera_from(dict)); }
+
+py::list cameras(const Scene& scene) {
+  py::list list;
+  for (const Camera& camera : scene.cameras) list.append(camera_dict(camera));
+  return list;
+}
+
+py::list warnings(const Scene& scene) {
+  py::list list;
+  for (const auto& item : scene.warnings.items()) list.append(py::make_tuple(item.text, item.count));
+  return list;
+}
+
+py::list light_list(const Scene& scene) {
+  py::list list;
+  for (const PlacedLight& placed : scene.lights) list.append(light_dict(placed.light));
+  return list;
+}
+
+py::object box(const Scene& scene) {
+  const Bounds b = bounds(scene);
+  if (b.empty()) return py::none();
+  return py::make_tuple(py::make_tuple(b.low.x, b.low.y, b.low.z), py::make_tuple(b.high.x, b.high.y, b.high.z));
 }
 
 void set_surroundings(Scene& scene, const py::dict& dict) {
@@ -175,10 +193,12 @@ void bind_scene(py::module_& m) {
       .def("set_surroundings", &set_surroundings)
       .def_property_readonly("triangles", &triangle_count)
       .def_property_readonly("hash", [](const Scene& scene) { return hash(scene).text(); })
-      .def_property_readonly("warnings", [](const Scene& scene) {
-        py::list list;
-        for (const auto& item : scene.warnings.items()) list.append(py::make_tuple(item.text, item.count));
-        return list;
+      .def_property_readonly("warnings", &warnings)
+      .def_property_readonly("cameras", &cameras)
+      .def_property_readonly("lights", &light_list)
+      .def_property_readonly("bounds", &box)
+      .def("frame", [](Scene& scene) {
+        if (scene.cameras.empty()) add_default_camera(scene);
       });
   m.def("load_scene", &load);
   m.def("trace", &trace_rays);

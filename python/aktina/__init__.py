@@ -14,7 +14,7 @@ from ._geometry import Hits, intersect, reflect, refract, vertex_normal
 from ._illumination import highlight, illuminate, schlick_power
 from ._images import compare, read_image, write_image
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
-from ._scene import Scene, load, radiance, trace
+from ._scene import Scene, Solution, load, load_solution, radiance, trace
 from ._shading import interpolate, interpolate_samples
 from ._radiosity import solve_radiosity
 

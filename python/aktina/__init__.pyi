@@ -152,7 +152,81 @@ class Scene:
     def hash(self) -> str: ...
     @property
     def warnings(self) -> list[tuple[str, int]]: ...
+    @property
+    def bounds(self) -> tuple[tuple[float, float, float], tuple[float, float, float]] | None: ...
+    @property
+    def cameras(self) -> list[dict[str, Any]]: ...
+    @property
+    def lights(self) -> list[dict[str, Any]]: ...
+    def render(
+        self,
+        method: str = "path",
+        width: int = 0,
+        height: int = 0,
+        samples: int = 0,
+        camera: int | dict[str, Any] = 0,
+        seed: int = 0,
+        shading: str = "phong",
+        illumination: str = "phong",
+        layers: Sequence[str] = (),
+        radiosity: dict[str, Any] | None = None,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> Any: ...
+    def radiosity(
+        self,
+        solver: str = "progressive",
+        formfactor: str = "ray_cast",
+        patch_size: float = 0.0,
+        tolerance: float = 1e-3,
+        most_steps: int = 0,
+        most_patches: int = 2_000_000,
+        seed: int = 0,
+        mesher: str = "uniform",
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> Solution: ...
+    def illuminance(
+        self,
+        points: ArrayLike,
+        normals: ArrayLike,
+        method: str = "path",
+        samples: int = 64,
+        seed: int = 0,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> NDArray[np.float32]: ...
 
+class Solution:
+    scene: Scene
+    vertices: NDArray[np.float32]
+    vertex_normals: NDArray[np.float32]
+    vertex_irradiances: NDArray[np.float32]
+    vertex_radiosities: NDArray[np.float32]
+    patches: NDArray[np.uint32]
+    areas: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    reflectances: NDArray[np.float32]
+    emissions: NDArray[np.float32]
+    irradiances: NDArray[np.float32]
+    radiosities: NDArray[np.float32]
+    steps: int
+    unshot: float
+    converged: bool
+    emitted: float
+    absorbed: float
+    escaped: float
+    def __init__(self, scene: Scene, result: Any) -> None: ...
+    def render(
+        self,
+        width: int,
+        height: int,
+        camera: int | dict[str, Any] = 0,
+        samples: int = 4,
+        two_pass: bool = False,
+        seed: int = 0,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> NDArray[np.float32]: ...
+    def save(self, path: str | os.PathLike[str]) -> None: ...
+
+def load_solution(path: str | os.PathLike[str], scene: Scene) -> Solution: ...
 def load(path: str | os.PathLike[str]) -> Scene: ...
 def trace(scene: Scene, origins: ArrayLike, directions: ArrayLike, near: float = 0.0, far: float = ...) -> Hits: ...
 def radiance(

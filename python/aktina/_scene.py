@@ -4,7 +4,7 @@ import os
 import numpy as np
 
 from . import _core
-from ._arrays import number, rows, spread
+from ._arrays import number, rows, spread, unit_vectors
 from ._errors import UsageError
 from ._geometry import Hits
 
@@ -20,7 +20,8 @@ class Scene:
         (cd/m^2), "double_sided", "unlit", "alpha", and "texture", an (H, W, 3) array of linear colours that multiplies
         the colour, with "filter" "bilinear" or "nearest".
     lights : dictionaries as `aktina.irradiance` takes them.
-    camera : "position", "target", "up", "vertical_fov" (rad).
+    camera : "position", "target", "up", and "vertical_fov" (rad) or, for a parallel projection, "half_height" (m). Left
+        out: one that frames the scene.
     ambient, background, sky : colours; cd/m^2. Classic ambient light, what is seen beyond everything, even light from all
         around.
     Raises UsageError (a field, a shape), NoSuchMethod (a type), BadParam.
@@ -40,6 +41,7 @@ class Scene:
         if camera is not None:
             self._scene.add_camera(dict(camera))
         self._scene.set_surroundings({"ambient": ambient, "background": background, "sky": sky})
+        self._scene.frame()
 
     @property
     def triangles(self):
@@ -56,8 +58,137 @@ class Scene:
         """What reading the file has repaired or guessed: (text, count)."""
         return self._scene.warnings
 
+    @property
+    def bounds(self):
+        """Lowest and highest corner of everything that is drawn, m; None where there is nothing."""
+        return self._scene.bounds
+
+    @property
+    def cameras(self):
+        """Dictionaries, as `Scene` takes them."""
+        return self._scene.cameras
+
+    @property
+    def lights(self):
+        """Dictionaries, as `aktina.irradiance` takes them; emissive surfaces are not among them."""
+        return self._scene.lights
+
+    def render(self, method="path", width=0, height=0, samples=0, camera=0, seed=0, shading="phong",
+               illumination="phong", layers=(), radiosity=None, progress=None):
+        """A picture: linear radiance, cd/m^2.
+
+        method : "raster", a method of the family "integrator" ("path", "direct", "whitted"; parameters follow a colon),
+            "radiosity" or "two_pass".
+        width, height : px; 0: from the camera's aspect, 960 px wide.  samples : a pixel; 0: the method's default.
+        camera : number of one of the scene's, or a dictionary as `Scene` takes it.
+        shading, illumination : of "raster", methods of those families.
+        layers : names among "albedo", "N", "P", "Z", "direct", "indirect", "illuminance", as the method has them.
+        radiosity : dictionary of what `Scene.radiosity` takes, for "radiosity" and "two_pass".
+        progress : called with (stage, unit, done, total, seconds) ten times a second. Ctrl-C stops the work.
+        Returns (H, W, 3) float32; with layers a dictionary of arrays, the picture under "".
+        Raises NoSuchMethod, UsageError, BadParam, LimitExceeded.
+
+        >>> import aktina
+        >>> scene = aktina.Scene([{"shape": {"type": "sphere", "radius": 1}}], sky=1)
+        >>> scene.render(width=30, height=20, samples=1).shape
+        (20, 30, 3)
+        """
+        options = {"method": method, "width": int(width), "height": int(height), "samples": int(samples),
+                   "shading": shading, "illumination": illumination, "layers": list(layers)}
+        drawn = _core.render(self._scene, options, camera, dict(radiosity or {}), int(seed), progress)
+        pictures = {name: np.asarray(pixels) for name, pixels in drawn}
+        return pictures if layers else pictures[""]
+
+    def radiosity(self, solver="progressive", formfactor="ray_cast", patch_size=0.0, tolerance=1e-3, most_steps=0,
+                  most_patches=2_000_000, seed=0, mesher="uniform", progress=None):
+        """The light between the diffuse surfaces, view independent.
+
+        solver, formfactor, mesher : methods of the families "radiosity", "formfactor", "mesher".
+        patch_size : longest edge of a patch, m; 0: chosen from the scene's size.
+        tolerance : stop when the light not yet distributed is below this share of the emitted.
+        most_steps : 0: no limit.  most_patches : more are refused.
+        Returns Solution.  Raises NoSuchMethod, BadParam, BadInput (nothing shines), LimitExceeded.
+
+        >>> import aktina
+        >>> room = {"vertices": [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+        >>> scene = aktina.Scene([room], lights=[{"type": "point", "position": [0, 2, 0], "intensity": 40}])
+        >>> solution = scene.radiosity(patch_size=0.25)
+        >>> bool(abs(solution.irradiances.max() - 10) < 0.5)
+        True
+        """
+        options = {"solver": solver, "formfactor": formfactor, "mesher": mesher, "patch_size": float(patch_size),
+                   "tolerance": float(tolerance), "most_steps": int(most_steps), "most_patches": int(most_patches)}
+        return Solution(self, _core.solve_scene(self._scene, options, int(seed), progress))
+
+    def illuminance(self, points, normals, method="path", samples=64, seed=0, progress=None):
+        """Irradiance at points on the side of their normals, lx per channel: what a light meter reads there.
+
+        points : (..., 3), m; a little off surfaces.  normals : (..., 3), unit.
+        method : of the family "integrator": "direct" leaves out what other surfaces send.  samples : a point.
+        Returns (..., 3) float32.
+
+        >>> import aktina
+        >>> lamp = {"type": "point", "position": [0, 2, 0], "intensity": 40}
+        >>> aktina.Scene(lights=[lamp]).illuminance([0, 0, 0], [0, 1, 0], "direct").round(3).tolist()
+        [10.0, 10.0, 10.0]
+        """
+        shape, (points, normals) = spread(points=rows("points", points, 3, np.float32),
+                                          normals=unit_vectors("normals", normals))
+        out = np.empty((*shape, 3), np.float32)
+        _core.illuminance(self._scene, points, normals, method, int(samples), int(seed), progress, out.reshape(-1, 3))
+        return out
+
     def __repr__(self):
         return f"<aktina.Scene: {self.triangles} triangles>"
+
+
+class Solution:
+    """The light on a scene's surfaces, from `Scene.radiosity` or `load_solution`. Arrays cannot be written to.
+
+    Of P patches: `patches` (P, 4) vertices, the last two equal for triangles; `areas` (P,) m^2; `normals` (P, 3);
+    `reflectances` (P, 3); `emissions`, `radiosities` (P, 3) lm/m^2; `irradiances` (P, 3) lx.
+    Of V vertices: `vertices` (V, 3) m, `vertex_normals`, `vertex_irradiances`, `vertex_radiosities` (V, 3).
+    Facts: `steps`, `unshot` (share of the emitted light), `converged`, `emitted`, `absorbed`, `escaped` (lm).
+    """
+
+    def __init__(self, scene, result):
+        self.scene, self._result = scene, result
+        for name, values in _core.solution_arrays(result).items():
+            setattr(self, name, np.asarray(values))
+        for name, value in _core.solution_facts(result).items():
+            setattr(self, name, value)
+
+    def render(self, width, height, camera=0, samples=4, two_pass=False, seed=0, progress=None):
+        """The solution from a camera: linear radiance, cd/m^2.
+
+        two_pass : adds mirrors, glass and sharp shadows of direct light by rays (Wallace 1987).
+        Returns (H, W, 3) float32.
+        """
+        return np.asarray(_core.draw_solution(self._result, self.scene._scene, camera, bool(two_pass), int(width),
+                                              int(height), int(samples), int(seed), progress))
+
+    def save(self, path):
+        """By the extension: .aktina (for `load_solution`), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (the
+        lit model)."""
+        _core.write_solution(self._result, self.scene._scene, os.fspath(path))
+
+    def __repr__(self):
+        return f"<aktina.Solution: {len(self.areas)} patches, {'converged' if self.converged else 'not converged'}>"
+
+
+def load_solution(path, scene):
+    """A solution that `Solution.save` or `aktina radiosity` wrote, of the same scene.
+
+    Raises FileError, BadInput (damaged, or of another scene).
+
+    >>> import aktina
+    >>> try:
+    ...     aktina.load_solution("nowhere.aktina", aktina.Scene())
+    ... except aktina.FileError as error:
+    ...     print(error.code)
+    io
+    """
+    return Solution(scene, _core.load_solution(scene._scene, os.fspath(path)))
 
 
 def load(path):

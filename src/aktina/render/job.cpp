@@ -86,7 +86,7 @@ void check_layers(const PictureJob& job, std::span<const std::string_view> known
 }
 
 Rendering render(const Scene& scene, const RenderOptions& options, Progress& progress) {
-  const Camera& camera = chosen_camera(scene, options.camera);
+  const Camera& camera = options.view ? *options.view : chosen_camera(scene, options.camera);
   int width = options.width, height = options.height;
   fill_size(camera, width, height);
   Rendering result;

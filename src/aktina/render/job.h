@@ -20,6 +20,7 @@ struct RenderOptions {
   int width = 0, height = 0;                              // px; 0: from the camera's aspect, 960 px wide
   int samples = 0;                                        // per pixel; 0: the method's own default
   int camera = 0;                                         // index into Scene::cameras
+  const Camera* view = nullptr;                           // a camera of the caller's own instead
   uint32_t seed = 0;
   std::vector<std::string> layers{};  // "albedo", "N", "P", "Z", "direct", "indirect", "illuminance"
   std::function<void(const LayeredImage& picture)> each_pass{};
@@ -42,5 +43,9 @@ struct Radiosities {
   Report report;
 };
 Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress& progress);
+
+/// A solution as a file: .aktina (to be loaded again), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (the lit
+/// model), by the extension. @throws Error usage (another extension), io
+void write_radiosities(const Path& path, const Scene& scene, const Radiosities& radiosities);
 
 }  // namespace aktina

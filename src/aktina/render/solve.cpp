@@ -1,6 +1,8 @@
 // The radiosity job.
 #include <fmt/core.h>
 
+#include "aktina/base/error.h"
+#include "aktina/export/export.h"
 #include "aktina/render/job_report.h"
 
 namespace aktina {
@@ -30,6 +32,22 @@ Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress&
   add_to_report(report, result.solution, progress);
   result.solution.settings = report.settings, result.solution.scene_hash = report.scene_hash;
   return result;
+}
+
+void write_radiosities(const Path& path, const Scene& scene, const Radiosities& radiosities) {
+  const Metadata metadata = provenance(radiosities.report);
+  const std::string extension = lower_extension(path);
+  if (extension == "aktina")
+    save_solution(path, radiosities.solution);
+  else if (extension == "vtu")
+    write_vtu(path, radiosities.solution, metadata);
+  else if (extension == "csv")
+    write_patches_csv(path, scene, radiosities.solution, metadata);
+  else if (extension == "glb" || extension == "gltf")
+    write_lit_gltf(path, scene, radiosities.solution, {.metadata = metadata});
+  else
+    throw Error(Code::usage, display(path), "cannot tell the format from the name",
+                "one of .aktina, .vtu, .csv, .glb, .gltf");
 }
 
 }  // namespace aktina
