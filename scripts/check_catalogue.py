@@ -5,6 +5,8 @@ check_catalogue.py BUILD fails unless, for each family of `aktina methods --json
  - the files of its folder that define a row are the rows of its table, and a row's id is its file's stem;
  - its source is in docs/references.bib;
  - a test under tests/ at the same place names it;
+ - its picture is in docs/pictures/ (but for accelerators, which all give the same one);
+ - a benchmark names it, or runs its family's whole table;
  - docs/methods/ is what scripts/generate_docs.py writes.
 """
 import json
@@ -18,6 +20,13 @@ root = pathlib.Path(__file__).resolve().parent.parent
 
 def camel(identifier):
     return "".join(part.capitalize() for part in identifier.split("_"))
+
+
+def table_of(family):
+    """Name of the function that gives a family's table."""
+    return {"illumination": "illumination_models", "shading": "shading_methods", "normals": "normals",
+            "radiosity": "solvers",
+            "specular": "specular_methods"}.get(family["id"], family["id"] + "s")
 
 
 def check_family(family, keys):
@@ -34,6 +43,7 @@ def check_family(family, keys):
     for identifier in in_table - in_files.keys():
         yield f"{family['folder']}/{identifier}.cpp does not define {identifier}_{family['id']}"
 
+    benchmarks = " ".join(path.read_text() for path in (root / "bench").glob("*.cpp"))
     tests = " ".join(path.read_text() for path in (root / "tests" / family["folder"]).glob("**/*.cpp"))
     for method in family["methods"]:
         name = f"{family['id']}/{method['id']}"
@@ -41,6 +51,10 @@ def check_family(family, keys):
             yield f"{name}: its source '{method['cite']}' is not in docs/references.bib"
         if not re.search(rf"\b{method['id']}\b|\b{camel(method['id'])}|\b{method['id']}_{family['id']}\b", tests):
             yield f"{name}: no test below tests/{family['folder']}/ names it"
+        if family["id"] != "accelerator" and not (root / f"docs/pictures/{name}.png").exists():
+            yield f"{name}: no picture docs/pictures/{name}.png (make docs)"
+        if not re.search(rf"\b{method['id']}\b|\b{table_of(family)}\(\)", benchmarks):
+            yield f"{name}: no benchmark in bench/ names it"
 
 
 def main():

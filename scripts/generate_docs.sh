@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
-# Writes docs/methods/ from the catalogue of the program that was built.
+# Draws the picture of each method and writes docs/methods/, both from the catalogue of the program that was built.
 set -euo pipefail
-/usr/bin/python3 "$(dirname "$0")/generate_docs.py" "${1:-build}"
+cd "$(dirname "$0")/.."
+/usr/bin/python3 -B scripts/render_pictures.py "${1:-build}"
+/usr/bin/python3 -B scripts/generate_docs.py "${1:-build}"

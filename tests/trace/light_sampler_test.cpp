@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "aktina/base/random.h"
+#include "aktina/trace/trace.h"
 #include "trace/integrator/light_scenes.h"
 
 namespace aktina {
@@ -34,6 +37,22 @@ TEST(LightTree, ChancesAreThoseOfPickAndSumToOne) {
       const LightTree::Choice c = tree.pick(x, random.uniform());
       EXPECT_NEAR(c.chance, tree.chance(x, c.lamp), 1e-6f);
     }
+  }
+}
+
+TEST(LightSampler, EveryKindOfLightCanBeSampled) {
+  Scene scene;
+  for (const auto* row : lights()) scene.lights.push_back({"", row->make(ParamSet(row->info)), -1});
+  Instance floor;
+  floor.primitive = 0;
+  scene.primitives.emplace_back(Disc{});
+  scene.instances.push_back(floor);
+  scene.cameras.push_back(look_at({0, 2, 0.1f}, {0, 0, 0}, {0, 1, 0}, 0.5f));
+  for (const char* integrator : {"whitted", "direct", "path"}) {
+    TraceOptions options;
+    options.integrator = integrator, options.samples = 1;
+    const LayeredImage picture = trace(scene, scene.cameras[0], 4, 4, options);
+    for (const float value : picture.layers[0].image.pixels) EXPECT_TRUE(std::isfinite(value)) << integrator;
   }
 }
 

@@ -37,6 +37,7 @@ const std::vector<ValidationCase>& validation_cases() {
     add_photometry_cases(all);
     add_form_factor_cases(all);
     add_furnace_cases(all);
+    add_enclosure_cases(all);
     return all;
   }();
   return cases;

@@ -7,6 +7,7 @@ namespace aktina {
 
 void add_photometry_cases(std::vector<ValidationCase>& cases);
 void add_form_factor_cases(std::vector<ValidationCase>& cases);
+void add_enclosure_cases(std::vector<ValidationCase>& cases);
 void add_furnace_cases(std::vector<ValidationCase>& cases);
 
 }  // namespace aktina

@@ -113,17 +113,30 @@ Rgb Emitter::mean_radiance(const Scene& scene) const {
   return sum / (kSteps * kSteps);
 }
 
-LampBounds Emitter::bounds(const Scene& scene) const {
+namespace {
+
+LampBounds bounds_of(const Light& lamp) {
   LampBounds b;
-  if (lamp) {
-    const auto* spot = std::get_if<SpotLight>(lamp);
-    const auto* point = std::get_if<PointLight>(lamp);
-    b.box.add(spot ? spot->position : point->position);
-    b.power = luminance(spot ? spot->intensity.v : point->intensity.v);
-    b.spread = spot ? 0 : float(kPi);
-    if (spot) b.axis = spot->direction, b.beam = spot->outer_angle;
-    return b;
+  b.spread = float(kPi);
+  if (const auto* spot = std::get_if<SpotLight>(&lamp)) {
+    b.box.add(spot->position);
+    b.power = luminance(spot->intensity.v), b.spread = 0;
+    b.axis = spot->direction, b.beam = spot->outer_angle;
+  } else if (const auto* point = std::get_if<PointLight>(&lamp)) {
+    b.box.add(point->position);
+    b.power = luminance(point->intensity.v);
+  } else if (const auto* luminaire = std::get_if<LuminaireLight>(&lamp)) {
+    b.box.add(luminaire->position);
+    b.power = luminance(flux(*luminaire)->v) / float(4 * kPi);  // mean intensity
   }
+  return b;
+}
+
+}  // namespace
+
+LampBounds Emitter::bounds(const Scene& scene) const {
+  if (lamp) return bounds_of(*lamp);
+  LampBounds b;
   b.power = luminance(mean_radiance(scene)) * area;
   if (primitive) {
     b.box = PlacedPrimitive(*primitive, to_world).bounds();
