@@ -41,7 +41,7 @@ class ProgramTest(unittest.TestCase):
         """Runs with --json: exactly one JSON object on standard output."""
         return json.loads(self.succeed(*words, "--json", **options).stdout)
 
-    def refuse(self, status, *words, **options):
+    def expect_error(self, status, *words, **options):
         """The run ends with `status` and says why in exactly one line, which is returned."""
         result = self.run_program(*words, **options)
         self.assertEqual(result.returncode, STATUS[status], f"aktina {words}: {result.stderr}")

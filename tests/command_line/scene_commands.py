@@ -36,7 +36,7 @@ class SceneCommandTest(ProgramTest):
     def refuse(self, status, scene=CORNELL, output=None, *more):
         """Fails with `status`, and leaves nothing behind."""
         before = self.files()
-        error = self.refuse(status, *self.words(scene, output or f"out.{self.extension}", *self.quick, *more))
+        error = self.expect_error(status, *self.words(scene, output or f"out.{self.extension}", *self.quick, *more))
         self.assertEqual(self.files(), before, "nothing half-written")
         return error
 
@@ -92,7 +92,7 @@ class SceneCommandTest(ProgramTest):
         self.assertEqual((self.folder / f"out.{self.extension}").read_text(), "old")
 
     def test_output_is_required(self):
-        self.assertIn("--output", self.refuse("usage", self.command, CORNELL))
+        self.assertIn("--output", self.expect_error("usage", self.command, CORNELL))
 
     # Options.
 

@@ -54,11 +54,11 @@ class Compare(ProgramTest):
         self.assertEqual((self.folder / "map.png").read_bytes()[:4], b"\x89PNG")
 
     def test_the_check(self):
-        line = self.refuse("check", "compare", "spot.png", "grey.png", "--max-error", "0.01")
+        line = self.expect_error("check", "compare", "spot.png", "grey.png", "--max-error", "0.01")
         self.assertIn("flip: ", line)
         self.assertIn("exceeds 0.01", line)
         self.succeed("compare", "spot.png", "grey.png", "--max-error", "1")
-        self.assertIn("rmse", self.refuse("check", "compare", "half.pfm", "third.pfm", "--metric", "rmse", "--max-error", "0.19"))
+        self.assertIn("rmse", self.expect_error("check", "compare", "half.pfm", "third.pfm", "--metric", "rmse", "--max-error", "0.19"))
         self.succeed("compare", "half.pfm", "third.pfm", "--metric", "rmse", "--max-error", "0.21")
         result = self.run_program("compare", "spot.png", "grey.png", "--max-error", "0.01", "--json")
         self.assertEqual(result.returncode, 5)
@@ -68,19 +68,19 @@ class Compare(ProgramTest):
         (self.folder / "nan.pfm").write_bytes(pfm(16, 8, float("nan")))
         (self.folder / "zero.pfm").write_bytes(pfm(16, 8, 0))
         self.assertEqual(self.report("compare", "nan.pfm", "zero.pfm")["result"]["non_finite_a"], 128)
-        self.assertIn("non-finite", self.refuse("check", "compare", "nan.pfm", "zero.pfm", "--max-error", "1"))
+        self.assertIn("non-finite", self.expect_error("check", "compare", "nan.pfm", "zero.pfm", "--max-error", "1"))
 
     def test_mistakes(self):
         (self.folder / "small.pfm").write_bytes(pfm(2, 2, 0))
         (self.folder / "broken.png").write_bytes((self.folder / "grey.png").read_bytes()[:50])
-        self.assertIn("differ in size: 16 x 8 and 2 x 2", self.refuse("usage", "compare", "half.pfm", "small.pfm"))
-        self.assertIn("broken.png", self.refuse("input", "compare", "broken.png", "grey.png"))
-        self.refuse("input", "compare", "missing.png", "grey.png")
-        self.refuse("usage", "compare", "grey.png")
-        self.refuse("usage", "compare", "grey.png", "grey.png", "-o", "map.tif")
-        self.refuse("input", "compare", "grey.png", "grey.png", "-o", "no/folder/map.png")
+        self.assertIn("differ in size: 16 x 8 and 2 x 2", self.expect_error("usage", "compare", "half.pfm", "small.pfm"))
+        self.assertIn("broken.png", self.expect_error("input", "compare", "broken.png", "grey.png"))
+        self.expect_error("input", "compare", "missing.png", "grey.png")
+        self.expect_error("usage", "compare", "grey.png")
+        self.expect_error("usage", "compare", "grey.png", "grey.png", "-o", "map.tif")
+        self.expect_error("input", "compare", "grey.png", "grey.png", "-o", "no/folder/map.png")
         (self.folder / "claim.pfm").write_bytes(b"PF\n60000 60000\n-1\n")
-        self.refuse("limit", "compare", "claim.pfm", "claim.pfm")
+        self.expect_error("limit", "compare", "claim.pfm", "claim.pfm")
         self.assertNotIn("map.tif", self.files())
 
 

@@ -58,10 +58,10 @@ class Info(ProgramTest):
         self.assertEqual(info["counts"]["triangles"], 36)
 
     def test_faults(self):
-        self.assertIn("a.ies:4", self.refuse("input", "info", self.write("a.ies", IES.replace("1 -1 1 2", "1 x 1 2"))))
-        self.refuse("input", "info", self.folder / "missing.obj")
-        self.refuse("input", "info", self.folder)
-        self.refuse("input", "info", self.write("a.ply", "ply\n"))
+        self.assertIn("a.ies:4", self.expect_error("input", "info", self.write("a.ies", IES.replace("1 -1 1 2", "1 x 1 2"))))
+        self.expect_error("input", "info", self.folder / "missing.obj")
+        self.expect_error("input", "info", self.folder)
+        self.expect_error("input", "info", self.write("a.ply", "ply\n"))
 
 
 if __name__ == "__main__":

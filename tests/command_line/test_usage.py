@@ -37,7 +37,7 @@ class Help(ProgramTest):
             script = self.succeed("--completion", shell).stdout
             for name in commands():
                 self.assertIn(name, script)
-        self.refuse("usage", "--completion", "tcsh")
+        self.expect_error("usage", "--completion", "tcsh")
 
     def test_bash_completion_completes(self):
         script = self.succeed("--completion", "bash").stdout
@@ -53,33 +53,33 @@ class Help(ProgramTest):
 
 class Mistakes(ProgramTest):
     def test_unknown_command_suggests_the_nearest(self):
-        self.assertIn("did you mean aktina methods?", self.refuse("usage", "metods"))
-        self.assertIn("aktina --help", self.refuse("usage", "zzzzzzzzz"))
+        self.assertIn("did you mean aktina methods?", self.expect_error("usage", "metods"))
+        self.assertIn("aktina --help", self.expect_error("usage", "zzzzzzzzz"))
 
     def test_unknown_option_suggests_the_nearest(self):
-        self.assertIn("did you mean --family?", self.refuse("usage", "methods", "--famly", "light"))
-        self.assertIn("did you mean --json?", self.refuse("usage", "methods", "--jsn"))
+        self.assertIn("did you mean --family?", self.expect_error("usage", "methods", "--famly", "light"))
+        self.assertIn("did you mean --json?", self.expect_error("usage", "methods", "--jsn"))
 
     def test_unknown_names_list_the_choices(self):
-        self.assertIn("illumination", self.refuse("usage", "methods", "--family", "iluminatoin"))
+        self.assertIn("illumination", self.expect_error("usage", "methods", "--family", "iluminatoin"))
 
     def test_missing_value(self):
-        self.refuse("usage", "methods", "--family")
-        self.assertIn("needs a value", self.refuse("usage", "methods", "--family", "--json"))
+        self.expect_error("usage", "methods", "--family")
+        self.assertIn("needs a value", self.expect_error("usage", "methods", "--family", "--json"))
 
     def test_too_many_arguments(self):
-        self.assertIn("one argument too many", self.refuse("usage", "methods", "light"))
+        self.assertIn("one argument too many", self.expect_error("usage", "methods", "light"))
 
     def test_hostile_words_stay_on_one_line(self):
-        self.refuse("usage", "two\nlines\x1b[31m")
-        self.refuse("usage", "methods", "--family", "x" * 100000)
-        self.refuse("usage", b"\xff\xfe".decode("utf-8", "surrogateescape"))
+        self.expect_error("usage", "two\nlines\x1b[31m")
+        self.expect_error("usage", "methods", "--family", "x" * 100000)
+        self.expect_error("usage", b"\xff\xfe".decode("utf-8", "surrogateescape"))
 
 
 class Streams(ProgramTest):
     def test_full_disk_on_standard_output(self):
         with open("/dev/full", "w") as full:
-            self.assertIn("No space left", self.refuse("input", "methods", stdout=full))
+            self.assertIn("No space left", self.expect_error("input", "methods", stdout=full))
 
     def test_closed_standard_output_is_an_error(self):
         result = subprocess.run(["sh", "-c", f"'{PROGRAM}' methods >&-"], capture_output=True, text=True)
