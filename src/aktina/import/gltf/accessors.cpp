@@ -149,11 +149,15 @@ Sparse open_sparse(Document& document, const Accessor& accessor) {
 
 }  // namespace
 
-Accessor open_accessor(Document& document, const Value& index) {
+Accessor refer_to_accessor(Document& document, const Value& index) {
   const Value list = document.list("accessors");
   const int number = index.index(list.size());
   if (number < 0) index.fail("is missing");
-  Accessor out(list[size_t(number)]);
+  return open_accessor(document, list[size_t(number)]);
+}
+
+Accessor open_accessor(Document& document, const Value& place) {
+  Accessor out(place);
   out.component = component_of(out.place["componentType"]);
   out.normalized = out.place["normalized"].flag(false);
   out.width = width_of(out.place["type"]);

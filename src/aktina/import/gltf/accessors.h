@@ -25,7 +25,9 @@ struct Accessor {
 };
 
 /// Checked against its buffer view: every element lies within. @throws Error bad_input
-Accessor open_accessor(Document& document, const Value& index);
+Accessor open_accessor(Document& document, const Value& place);
+/// The same of the accessor whose number stands at `index`.
+Accessor refer_to_accessor(Document& document, const Value& index);
 
 /// Elements [first, first + count) as floats, `width` for each, sparse values put in; normalized integers as glTF maps
 /// them to [0, 1] or [-1, 1]. The caller has checked the range and asked for the memory.

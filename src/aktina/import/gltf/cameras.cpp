@@ -46,6 +46,8 @@ Camera read_camera(Document& document, const Value& place) {
     read_orthographic(place["orthographic"], camera);
   else
     place["type"].fail("is neither perspective nor orthographic");
+  if (place["perspective"] && place["orthographic"])
+    document.warnings.add("cameras that are both perspective and orthographic are what their type says");
   if (!(camera.far > camera.near)) place.fail("zfar should be beyond znear");
   return camera;
 }
@@ -53,11 +55,13 @@ Camera read_camera(Document& document, const Value& place) {
 }  // namespace
 
 void read_cameras(Document& document, const Hierarchy& hierarchy, Scene& scene) {
-  const Value nodes = document.list("nodes"), cameras = document.list("cameras");
+  const Value nodes = document.list("nodes"), list = document.list("cameras");
+  std::vector<Camera> cameras;
+  for (size_t i = 0; i < list.size(); ++i) cameras.push_back(read_camera(document, list[i]));
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     const int index = nodes[size_t(hierarchy.source[i])]["camera"].index(cameras.size());
     if (index < 0) continue;
-    Camera camera = read_camera(document, cameras[size_t(index)]);
+    Camera camera = cameras[size_t(index)];
     camera.to_world = rigid(scene.nodes[i].to_world);
     if (camera.name.empty()) camera.name = scene.nodes[i].name;
     scene.cameras.push_back(std::move(camera));

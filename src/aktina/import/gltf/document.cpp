@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "aktina/import/gltf/meshopt.h"
+#include "aktina/import/gltf/schema.h"
+
 namespace aktina::gltf {
 namespace {
 
@@ -28,7 +31,10 @@ Document::Document(std::span<const uint8_t> bytes, Path folder_, const std::stri
   allowance.add_input(bytes.size());
   container_ = open_container(bytes, where, warnings);
   json_ = parse_json(container_.json, where);
+  check_schema(*json_, where, warnings);
   source_ = {json_.get(), where};
+  check_version(root(), warnings);
+  check_extensions(root(), warnings);
   buffers_.resize(list("buffers").size());
   views_.resize(list("bufferViews").size());
 }
@@ -60,6 +66,10 @@ std::span<const uint8_t> Document::buffer(size_t index) {
 
 std::span<const uint8_t> Document::view(size_t index) {
   const Value view = list("bufferViews")[index];
+  if (const Value packed = view.extension("EXT_meshopt_compression")) {
+    if (!views_[index]) views_[index] = unpack_meshopt(*this, packed);
+    return *views_[index];
+  }
   const int source = view["buffer"].index(buffers_.size());
   if (source < 0) view["buffer"].fail("is missing");
   const auto bytes = buffer(size_t(source));

@@ -20,14 +20,15 @@ Light read_spot(Document& document, const Value& place, const Rgb colour, const 
   return spot;
 }
 
-Light read_light(Document& document, const Value& place, const Mat4& to_world) {
+std::optional<Light> read_light(Document& document, const Value& place, const Mat4& to_world) {
   const Rgb colour = place["color"].rgb(Rgb(1)) * place["intensity"].real(1);
   if (!is_finite(colour) || min_channel(colour) < 0) place["intensity"].fail("should be finite and not below 0");
   const std::string_view type = place["type"].text_view();
   if (type == "point") return PointLight{Vec3(to_world[3]), Intensity(colour)};
   if (type == "spot") return read_spot(document, place, colour, to_world);
   if (type == "directional") return DirectionalLight{-Vec3(rigid(to_world)[2]), Irradiance(colour)};
-  place["type"].fail("is not one of point, spot, directional");
+  document.warnings.add("lights that are neither point, spot nor directional were left out");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ void read_lights(Document& document, const Hierarchy& hierarchy, Scene& scene) {
     if (index < 0) continue;
     const Value place = lights[size_t(index)];
     const std::string name = place["name"].text(scene.nodes[i].name);
-    scene.lights.push_back({name, read_light(document, place, scene.nodes[i].to_world), int(i)});
+    if (const auto light = read_light(document, place, scene.nodes[i].to_world))
+      scene.lights.push_back({name, *light, int(i)});
   }
 }
 

@@ -14,17 +14,26 @@ void read_metallic_roughness(Document& document, const Value& pbr, Material& m) 
   m.metallic_roughness_texture = read_texture(document, pbr["metallicRoughnessTexture"]);
 }
 
-AlphaMode alpha_mode(const Value& mode) {
+AlphaMode alpha_mode(Document& document, const Value& mode) {
   const std::string_view text = mode ? mode.text_view() : "OPAQUE";
-  if (text == "OPAQUE") return AlphaMode::opaque;
   if (text == "MASK") return AlphaMode::mask;
   if (text == "BLEND") return AlphaMode::blend;
-  mode.fail("is not one of OPAQUE, MASK, BLEND");
+  if (text != "OPAQUE") document.warnings.add("materials with an unknown alphaMode are opaque");
+  return AlphaMode::opaque;
+}
+
+/// Index of refraction; 0 stands for a surface that reflects everything at its front.
+float index_of_refraction(Document& document, const Value& ior) {
+  constexpr float kReflectsAll = 1e4f;  // ((n - 1) / (n + 1))^2 = 0.9996
+  const float index = ior.real(1.5f);
+  if (index == 0) return kReflectsAll;
+  if (index < 1) document.warnings.add("indices of refraction below 1 were set to 1");
+  return std::clamp(index, 1.0f, kReflectsAll);
 }
 
 void read_extensions(Document& document, const Value& material, Material& m) {
   m.unlit = bool(material.extension("KHR_materials_unlit"));
-  m.ior = material.extension("KHR_materials_ior")["ior"].real(1.5f);
+  m.ior = index_of_refraction(document, material.extension("KHR_materials_ior")["ior"]);
   const Value transmission = material.extension("KHR_materials_transmission");
   m.transmission = transmission["transmissionFactor"].real(0);
   m.transmission_texture = read_texture(document, transmission["transmissionTexture"]);
@@ -46,7 +55,7 @@ Material read_material(Document& document, const Value& material) {
   const float strength = material.extension("KHR_materials_emissive_strength")["emissiveStrength"].real(1);
   m.emission = Radiance(material["emissiveFactor"].rgb(Rgb(0)) * strength);
   m.emission_texture = read_texture(document, material["emissiveTexture"]);
-  m.alpha_mode = alpha_mode(material["alphaMode"]);
+  m.alpha_mode = alpha_mode(document, material["alphaMode"]);
   m.alpha_cutoff = material["alphaCutoff"].real(0.5f);
   m.double_sided = material["doubleSided"].flag(false);
   read_extensions(document, material, m);

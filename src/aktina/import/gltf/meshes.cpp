@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "aktina/import/gltf/accessors.h"
+#include "aktina/import/gltf/draco.h"
 #include "aktina/import/repair.h"
 
 namespace aktina::gltf {
@@ -37,6 +38,12 @@ class PrimitiveReader {
       document_.warnings.add("primitives without positions were left out");
       return mesh;
     }
+    if (primitive_.extension("KHR_draco_mesh_compression")) {
+      mesh = unpack_draco(document_, primitive_);
+      note_unread();
+      repair(mesh, document_.warnings, mode == kTriangleStrip);
+      return mesh;
+    }
     vertices_ = open(position, 3, 3).count;
     mesh.triangles = triangulate(read_indices(), mode);
     const Range range = move_to_used(mesh);
@@ -47,7 +54,7 @@ class PrimitiveReader {
 
  private:
   Accessor open(const Value& index, int least_width, int most_width) {
-    Accessor accessor = open_accessor(document_, index);
+    Accessor accessor = refer_to_accessor(document_, index);
     if (accessor.width < least_width || accessor.width > most_width)
       index.fail(fmt::format("has {} numbers an element", accessor.width));
     return accessor;
@@ -56,7 +63,7 @@ class PrimitiveReader {
   std::vector<uint32_t> read_indices() {
     const Value place = primitive_["indices"];
     if (place) {
-      const Accessor accessor = open_accessor(document_, place);
+      const Accessor accessor = refer_to_accessor(document_, place);
       document_.allowance.take(accessor.count * 4 * sizeof(uint32_t), place);
       return read_whole(document_, accessor);
     }
@@ -87,6 +94,11 @@ class PrimitiveReader {
     read(mesh.uv[0], attributes["TEXCOORD_0"], range);
     read(mesh.uv[1], attributes["TEXCOORD_1"], range);
     read_colours(mesh, attributes["COLOR_0"], range);
+    note_unread();
+  }
+
+  void note_unread() {
+    const Value attributes = primitive_["attributes"];
     if (attributes["TEXCOORD_2"] || attributes["COLOR_1"])
       document_.warnings.add("texture coordinates beyond set 1 or colours beyond set 0 were left out");
     if (attributes["JOINTS_0"] || attributes["WEIGHTS_0"])

@@ -1,6 +1,7 @@
 // glTF 2.0 (ISO/IEC 12113) -> Scene, by a mapping of our own over the parsed JSON.
 #include <fmt/format.h>
 
+#include "aktina/import/gltf/check_data.h"
 #include "aktina/import/gltf/document.h"
 #include "aktina/import/gltf/materials.h"
 #include "aktina/import/gltf/nodes.h"
@@ -31,13 +32,14 @@ Scene read_gltf(std::span<const uint8_t> bytes, const Path& folder, const std::s
   Scene scene;
   scene.source = where;
   scene.generator = document.root()["asset"]["generator"].text();
-  read_images(document, scene);
   read_materials(document, scene);
+  read_images(document, scene);
   const Hierarchy hierarchy = read_nodes(document, scene);
   const gltf::MeshTable meshes = read_meshes(document, used_meshes(document, hierarchy), scene);
   read_instances(document, hierarchy, meshes, scene);
   read_cameras(document, hierarchy, scene);
   read_lights(document, hierarchy, scene);
+  check_data(document);
   scene.warnings = document.warnings;
   if (options.default_camera) add_default_camera(scene);
   if (options.default_light) add_default_light(scene);

@@ -6,21 +6,16 @@ namespace {
 
 constexpr uint64_t kClamp = 33071, kMirror = 33648, kRepeat = 10497, kNearest = 9728;
 
-Wrap wrap_of(const Value& mode) {
-  switch (mode.whole(kRepeat)) {
-    case kRepeat:
-      return Wrap::repeat;
-    case kClamp:
-      return Wrap::clamp;
-    case kMirror:
-      return Wrap::mirror;
-    default:
-      mode.fail("is not one of 10497, 33071, 33648");
-  }
+Wrap wrap_of(Document& document, const Value& value) {
+  const uint64_t mode = value.whole(kRepeat);
+  if (mode == kClamp) return Wrap::clamp;
+  if (mode == kMirror) return Wrap::mirror;
+  if (mode != kRepeat) document.warnings.add("samplers with an unknown way of wrapping repeat");
+  return Wrap::repeat;
 }
 
-void read_sampler(const Value& sampler, Texture& out) {
-  out.wrap_u = wrap_of(sampler["wrapS"]), out.wrap_v = wrap_of(sampler["wrapT"]);
+void read_sampler(Document& document, const Value& sampler, Texture& out) {
+  out.wrap_u = wrap_of(document, sampler["wrapS"]), out.wrap_v = wrap_of(document, sampler["wrapT"]);
   out.filter = sampler["magFilter"].whole(0) == kNearest ? Filter::nearest : Filter::bilinear;
 }
 
@@ -45,7 +40,7 @@ Texture read_texture(Document& document, const Value& info) {
   out.image = image_of(document, texture);
   const Value samplers = document.list("samplers");
   const int sampler = texture["sampler"].index(samplers.size());
-  if (sampler >= 0) read_sampler(samplers[size_t(sampler)], out);
+  if (sampler >= 0) read_sampler(document, samplers[size_t(sampler)], out);
   out.offset = transform["offset"].vec2(Vec2(0)), out.scale = transform["scale"].vec2(Vec2(1));
   out.rotation = transform["rotation"].real(0);
   const uint64_t set = transform["texCoord"].whole(info["texCoord"].whole(0));
