@@ -1,6 +1,7 @@
 // A scene and a camera -> a picture: visible surfaces by depth buffer, light interpolated by a shading method.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 
@@ -19,6 +20,24 @@ struct RasterOptions {
   // Layers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z" (distance
   // along the view axis, m; infinite where nothing is seen).
   bool albedo = false, normal = false, position = false, depth = false;
+};
+
+/// A scene made ready once, drawn from many views: draw() converts nothing, and keeps its memory for the next call.
+class Rasterizer {
+ public:
+  /// The scene must outlive the rasterizer, unchanged but for its cameras.
+  /// @throws Error as rasterize()
+  Rasterizer(const Scene& scene, const RasterOptions& options);
+  ~Rasterizer();
+  Rasterizer(const Rasterizer&) = delete;
+  Rasterizer& operator=(const Rasterizer&) = delete;
+
+  /// As rasterize(); `out` is filled anew, in place where it has the right size already.
+  void draw(const Camera& camera, int width, int height, LayeredImage& out, Progress* progress = nullptr);
+
+ private:
+  class Workshop;
+  std::unique_ptr<Workshop> workshop_;
 };
 
 /// Linear radiance, cd/m^2, lit by lamps without shadows; emissive surfaces count as small lamps, and the sky as

@@ -46,6 +46,12 @@ class View {
     const Vec3 across = corner_ + x * right_ + y * down_;
     return perspective() ? eye_ + across * (1 / depth) : eye_ + across - depth * forward_;
   }
+  /// What point() computes with, for many pixels at a time.
+  struct Pixels {
+    bool perspective;
+    Vec3 eye, forward, corner, right, down;
+  };
+  Pixels pixels() const { return {perspective(), eye_, forward_, corner_, right_, down_}; }
   /// Distance along the view axis, m, from a depth.
   float distance(float depth) const { return perspective() ? 1 / depth : -depth; }
   /// A depth that is farther than everything that is seen.

@@ -1,0 +1,66 @@
+// A band of rows in the making: what one thread works in.
+#pragma once
+
+#include <array>
+
+#include "aktina/base/function_ref.h"
+#include "aktina/raster/frame.h"
+#include "aktina/raster/visibility.h"
+
+namespace aktina {
+
+/// Blocks of one pipeline that wait to be shaded together.
+struct ShadeBatch {
+  static constexpr size_t kBlocks = 16, kPixels = kBlocks * kLanes;
+  size_t blocks = 0;
+  uint32_t pipeline = 0;
+  int x[kBlocks], y[kBlocks];
+  alignas(64) uint32_t seen[kPixels];  // names of records; kNobody where this batch has nothing to do
+  alignas(64) float depth[kPixels], position[3][kPixels], surface[2][kPixels], channel[kMostChannels][kPixels];
+  alignas(64) float diffuse[3][kPixels], specular[3][kPixels], emission[3][kPixels];
+  // of textured pipelines
+  alignas(64) float ka[3][kPixels], kd[3][kPixels], ks[3][kPixels], exponent[kPixels], alpha[kPixels];
+  alignas(64) float albedo[3][kPixels], normal[3][kPixels];
+};
+
+struct Band {
+  VisibilityBuffer visible;
+  LineArray<float> colour[3], albedo[3], normal[3];  // albedo and normal: only where layers ask for them
+  bool surface_layers = false;
+  bool names = false;  // some pipeline of the frame is deferred: `seen` is kept
+  ShadeBatch batch;
+  std::vector<std::pair<uint32_t, float>> blended;  // names and depths
+};
+
+/// Draws records `list` (places in a chunk) of an immediate pipeline: depth and colour, and nobody into `seen`.
+void draw_immediate(const Chunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
+                    std::span<const uint32_t> list, Band& band);
+/// Draws depth and name.
+void draw_deferred(const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list, Band& band);
+
+/// Calls visit for each block in which a triangle is nearer than what is seen: bits of its pixels, and depths.
+using VisitBlock = FunctionRef<void(int x, int y, uint32_t bits, const float* depth)>;
+void visit_nearer(const TriangleRecord& record, const VisibilityBuffer& visible, VisitBlock visit);
+
+/// Positions, channels and surface coordinates of a batch, from the planes of its records.
+void interpolate(const Frame& frame, const Pipeline& pipeline, ShadeBatch& batch);
+/// Evaluates the textures of a batch; bends normals by normal maps.
+void apply_textures(const Frame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& batch);
+/// Whether a masked material is there at a pixel of a triangle.
+bool passes_mask(const Frame& frame, uint32_t name, int x, int y, float depth);
+
+/// What is seen beyond everything: the same everywhere, or pixel by pixel.
+struct Background {
+  Rgb uniform;
+  bool varies;
+  FunctionRef<Rgb(int x, int y)> at;
+};
+
+/// Draws a band of the frame: opaque surfaces, the background of pixels that see none, blended surfaces from back to
+/// front.
+void draw_band(const Frame& frame, int index, const Background& background, Band& band);
+void shade_opaque(const Frame& frame, Band& band);
+void fill_background(const Frame& frame, const Background& background, Band& band);
+void draw_blended(const Frame& frame, int index, Band& band);
+
+}  // namespace aktina

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <bit>
+
+#include "aktina/raster/frame.h"
+#include "aktina/raster/triangle_group.h"
+
+namespace aktina {
+namespace {
+
+/// One chunk on its way: appends group after group.
+class ChunkBuilder {
+ public:
+  ChunkBuilder(const Frame& frame, Chunk& chunk) : frame_(frame), chunk_(chunk) {
+    chunk_.count = 0;
+    chunk_.runs.clear();
+    chunk_.bands.resize(size_t(frame.bands())), chunk_.blended.resize(size_t(frame.bands()));
+    for (auto& band : chunk_.bands) band.clear();
+    for (auto& band : chunk_.blended) band.clear();
+  }
+
+  void add_part(uint32_t part, TriangleRange range) {
+    pipeline_ = frame_.pipelines.of_part[part];
+    const Pipeline& pipeline = frame_.pipelines.all[pipeline_];
+    if (!pipeline.blended()) chunk_.runs.push_back({chunk_.count, pipeline_});
+    gather_triangles(frame_.list, frame_.screen, frame_.view, range, pipeline.cull,
+                     [&](const CornerGroup& group) { add(pipeline, group); });
+  }
+
+ private:
+  void reserve() {
+    const size_t wanted = chunk_.count + kLanes;
+    if (chunk_.records.size() >= wanted) return;
+    const size_t size = std::max(wanted, chunk_.records.size() * 3 / 2);
+    chunk_.records.resize(size), chunk_.sources.resize(size);
+    chunk_.planes.resize(size * frame_.stride());
+  }
+
+  void add(const Pipeline& pipeline, const CornerGroup& corners) {
+    reserve();
+    ScreenPlanes planes;
+    set_up_triangles(corners, frame_.view.width(), frame_.view.height(), &chunk_.records[chunk_.count], planes);
+    if (pipeline.layout.size() > 0) {
+      const Samples samples(samples_, pipeline.layout.channels);
+      if (pipeline.layout.channels > 0) sample(pipeline, corners, samples);
+      write_planes(pipeline.layout, corners, planes, frame_.view.perspective(), samples_,
+                   chunk_.planes.data() + chunk_.count * frame_.stride(), frame_.stride());
+    }
+    for (int i = 0; i < corners.count; ++i) sort_in(pipeline, corners, size_t(i));
+    chunk_.count += uint32_t(corners.count);
+  }
+
+  void sample(const Pipeline& pipeline, const CornerGroup& corners, const Samples& samples) {
+    fill_group(frame_, pipeline, corners, group_);
+    pipeline.method->prepare(group_, pipeline.light, samples);
+    if (pipeline.textured || is_black(pipeline.emission) || pipeline.plan.kind != ShadingPlan::Kind::colour) return;
+    const bool both = pipeline.emits_on(false);
+    for (int point = 0; point < int(lattice(pipeline.plan.degree).size()); ++point)
+      for (int k = 0; k < 3; ++k)
+        for (size_t i = 0; i < kLanes; ++i)
+          if (both || corners.side[i] > 0) samples(point, k)[i] += pipeline.emission[k];
+  }
+
+  void sort_in(const Pipeline& pipeline, const CornerGroup& corners, size_t i) {
+    const uint32_t record = chunk_.count + uint32_t(i);
+    const TriangleRecord& r = chunk_.records[record];
+    chunk_.sources[record] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0};
+    const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
+    for (int band = r.first_y / kBandRows; band <= r.last_y / kBandRows; ++band) {
+      if (pipeline.blended()) {
+        chunk_.blended[size_t(band)].push_back({record, depth});
+      } else {
+        chunk_.bands[size_t(band)].push_back(record);
+      }
+    }
+  }
+
+  const Frame& frame_;
+  Chunk& chunk_;
+  uint32_t pipeline_ = 0;
+  TriangleGroup group_{};
+  Lanes samples_[kMostLatticePoints * kMostChannels];
+};
+
+}  // namespace
+
+void build_chunk(const Frame& frame, uint32_t index) {
+  ChunkBuilder builder(frame, frame.chunks[index]);
+  const uint32_t begin = index * kChunkTriangles, end = std::min(begin + kChunkTriangles, frame.list.triangle_count());
+  const auto parts = frame.list.parts();
+  auto part = std::upper_bound(parts.begin(), parts.end(), begin,
+                               [](uint32_t t, const DrawPart& p) { return t < p.first_triangle; });
+  for (--part; part != parts.end() && part->first_triangle < end; ++part)
+    builder.add_part(uint32_t(part - parts.begin()), {std::max(begin, part->first_triangle),
+                                                      std::min(end, part->first_triangle + part->triangle_count)});
+}
+
+}  // namespace aktina

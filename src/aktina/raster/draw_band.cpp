@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <bit>
+
+#include "aktina/raster/band.h"
+
+namespace aktina {
+namespace {
+
+void clear(const Frame& frame, int index, Rgb background, Band& band) {
+  const int first = index * kBandRows;
+  band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
+                     frame.view.farthest());
+  const size_t size = band.visible.layout.blocks() * kLanes;
+  for (int k = 0; k < 3; ++k) {
+    band.colour[k].resize(size);
+    std::fill_n(band.colour[k].data(), size, background[k]);
+    if (!band.surface_layers) continue;
+    band.albedo[k].resize(size), band.normal[k].resize(size);
+    std::fill_n(band.albedo[k].data(), size, 0.0f), std::fill_n(band.normal[k].data(), size, 0.0f);
+  }
+}
+
+/// The slow path of alpha masks: each covered pixel asks the texture.
+void draw_masked(const Frame& frame, const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list,
+                 Band& band) {
+  for (const uint32_t n : list)
+    visit_nearer(chunk.records[n], band.visible, [&](int x, int y, uint32_t bits, const float* depth) {
+      for (; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        if (!passes_mask(frame, first_name + n, x + (i & 3), y + (i >> 2), depth[i])) continue;
+        const size_t at = band.visible.layout.offset(x, y) + size_t(i);
+        band.visible.depth[at] = depth[i], band.visible.seen[at] = first_name + n;
+      }
+    });
+}
+
+void draw_run(const Frame& frame, uint32_t index, uint32_t pipeline_index, std::span<const uint32_t> list, Band& band) {
+  const Chunk& chunk = frame.chunks[index];
+  const Pipeline& pipeline = frame.pipelines.all[pipeline_index];
+  const uint32_t first_name = index << kChunkBits;
+  if (pipeline.immediate) {
+    draw_immediate(chunk, pipeline, frame.stride(), frame.view.perspective(), list, band);
+  } else if (pipeline.masked()) {
+    draw_masked(frame, chunk, first_name, list, band);
+  } else {
+    draw_deferred(chunk, first_name, list, band);
+  }
+}
+
+void draw_opaque(const Frame& frame, int index, Band& band) {
+  for (uint32_t c = 0; c < frame.chunks.size(); ++c) {
+    const Chunk& chunk = frame.chunks[c];
+    std::span<const uint32_t> left = chunk.bands[size_t(index)];
+    for (size_t run = 0; run < chunk.runs.size() && !left.empty(); ++run) {
+      const uint32_t end = run + 1 < chunk.runs.size() ? chunk.runs[run + 1].first : chunk.count;
+      const auto count = size_t(std::lower_bound(left.begin(), left.end(), end) - left.begin());
+      if (count > 0) draw_run(frame, c, chunk.runs[run].pipeline, left.first(count), band);
+      left = left.subspan(count);
+    }
+  }
+}
+
+}  // namespace
+
+void draw_band(const Frame& frame, int index, const Background& background, Band& band) {
+  band.names = frame.pipelines.any_deferred;
+  clear(frame, index, background.uniform, band);
+  draw_opaque(frame, index, band);
+  if (band.names) shade_opaque(frame, band);
+  if (background.varies) fill_background(frame, background, band);
+  if (frame.pipelines.any_blended) draw_blended(frame, index, band);
+}
+
+void fill_background(const Frame& frame, const Background& background, Band& band) {
+  const BlockLayout& layout = band.visible.layout;
+  for (int y = layout.first_row; y < layout.first_row + layout.rows; ++y)
+    for (int x = 0; x < layout.width; ++x) {
+      const size_t at = layout.offset_of_pixel(x, y);
+      if (band.visible.depth[at] > frame.view.farthest()) continue;
+      const Rgb c = background.at(x, y);
+      for (int k = 0; k < 3; ++k) band.colour[k][at] = c[k];
+    }
+}
+
+}  // namespace aktina

@@ -1,0 +1,52 @@
+// How the triangles of one material are drawn in a frame.
+#pragma once
+
+#include <memory>
+
+#include "aktina/raster/draw_list.h"
+#include "aktina/raster/plane_layout.h"
+#include "aktina/raster/rasterize.h"
+#include "aktina/scene/scene_lights.h"
+
+namespace aktina {
+
+/// What stays the same from frame to frame.
+struct PipelineSettings {
+  std::shared_ptr<const ShadingMethod> method, unlit;  // unlit: linear on the surface
+  IlluminationModel model;
+  SceneLights lights;
+  bool cull = false;            // RasterOptions::cull_back_faces
+  bool surface_layers = false;  // layers that need the surface's coordinates: albedo, N
+};
+
+struct Pipeline {
+  Pipeline(const PipelineSettings& settings, const Material& material, bool coloured, const Viewer& viewer);
+
+  const Material* material;
+  const ShadingMethod* method;
+  Illuminator light;
+  ShadingPlan plan;
+  PlaneLayout layout;
+  bool textured;   // coefficients differ from point to point
+  bool coloured;   // the mesh has vertex colours
+  bool lit;        // else the colour is the emission that evaluate() gives
+  bool immediate;  // colour is written as triangles come; else visible pixels are shaded afterwards
+  bool cull;
+  Rgb emission;  // of one that is not textured
+
+  bool blended() const { return material->alpha_mode == AlphaMode::blend; }
+  bool masked() const { return material->alpha_mode == AlphaMode::mask; }
+  bool emits_on(bool front) const { return front || material->double_sided || material->unlit; }
+};
+
+/// Pipelines of the parts of a draw list, and which one each part has.
+struct Pipelines {
+  std::vector<Pipeline> all;
+  std::vector<uint32_t> of_part;
+  size_t lines = 0;  // of planes a triangle has at most
+  bool any_deferred = false, any_blended = false, any_radiance = false;
+
+  Pipelines(const PipelineSettings& settings, const DrawList& list, const Viewer& viewer);
+};
+
+}  // namespace aktina

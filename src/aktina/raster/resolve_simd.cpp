@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <cstring>
+
+#include "aktina/raster/resolve.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "aktina/raster/resolve_simd.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include "aktina/base/simd.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace aktina::HWY_NAMESPACE {
+namespace {
+
+using RowTag = hn::CappedTag<float, 4>;
+constexpr RowTag kRow;
+constexpr size_t kRowPart = hn::MaxLanes(RowTag());
+
+void ResolveColour(const Band& band, Image& out) {
+  const BlockLayout& layout = band.visible.layout;
+  alignas(64) float four[kBlock * 3 + 4];
+  for (int y = layout.first_row; y < layout.first_row + layout.rows; ++y) {
+    const size_t row = layout.offset(0, y & ~3) + size_t((y & 3) * kBlock);
+    float* to = out.at(0, y);
+    for (int x = 0; x < out.width; x += kBlock, to += kBlock * 3) {
+      const size_t at = row + size_t(x / kBlock) * kLanes;
+      const bool whole = x + kBlock <= out.width;
+      float* place = whole ? to : four;
+      for (size_t i = 0; i < size_t(kBlock); i += kRowPart)
+        hn::StoreInterleaved3(hn::LoadU(kRow, band.colour[0].data() + at + i),
+                              hn::LoadU(kRow, band.colour[1].data() + at + i),
+                              hn::LoadU(kRow, band.colour[2].data() + at + i), kRow, place + 3 * i);
+      if (!whole) std::memcpy(to, four, size_t(out.width - x) * 3 * sizeof(float));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aktina::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace aktina {
+
+HWY_EXPORT(ResolveColour);
+
+void resolve_colour(const Band& band, Image& out) { HWY_DYNAMIC_DISPATCH(ResolveColour)(band, out); }
+
+}  // namespace aktina
+#endif

@@ -1,0 +1,140 @@
+// Visible pixels of deferred pipelines, lit many at a time.
+#include <algorithm>
+#include <bit>
+
+#include "aktina/raster/band.h"
+
+namespace aktina {
+namespace {
+
+void light(const Pipeline& pipeline, ShadeBatch& b) {
+  const size_t count = b.blocks * kLanes;
+  const LitArrays out{{b.diffuse[0], b.diffuse[1], b.diffuse[2]}, {b.specular[0], b.specular[1], b.specular[2]}};
+  if (pipeline.lit && pipeline.plan.kind == ShadingPlan::Kind::attributes) {
+    const float* channels[kMostChannels];
+    for (int c = 0; c < kMostChannels; ++c) channels[c] = b.channel[c];
+    const SurfaceArrays surface{
+        {b.ka[0], b.ka[1], b.ka[2]}, {b.kd[0], b.kd[1], b.kd[2]}, {b.ks[0], b.ks[1], b.ks[2]}, b.exponent};
+    const Fragments fragments{
+        count, channels, {b.position[0], b.position[1], b.position[2]}, pipeline.textured ? &surface : nullptr};
+    pipeline.method->shade(fragments, pipeline.light, out);
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+    for (size_t i = 0; i < count; ++i) {
+      b.diffuse[k][i] = pipeline.lit ? b.channel[k][i] : 0;
+      b.specular[k][i] = pipeline.lit ? b.channel[3 + k][i] : 0;
+    }
+  if (!pipeline.lit) return;
+  for (int k = 0; k < 3; ++k) {  // the base texture multiplies what was lit without it
+    const float kd = pipeline.light.surface().kd[k];
+    if (kd > 0)
+      for (size_t i = 0; i < count; ++i) b.diffuse[k][i] *= b.kd[k][i] / kd;
+  }
+}
+
+void emit_plain(const Frame& frame, const Pipeline& pipeline, ShadeBatch& b) {
+  const bool both = pipeline.emits_on(false), dark = is_black(pipeline.emission);
+  for (size_t i = 0; i < b.blocks * kLanes; ++i) {
+    const bool shines = !dark && b.seen[i] != kNobody && (both || frame.source(b.seen[i]).front);
+    for (int k = 0; k < 3; ++k) b.emission[k][i] = shines ? pipeline.emission[k] : 0;
+  }
+}
+
+void write(const Pipeline& pipeline, const ShadeBatch& b, Band& band) {
+  const bool blended = pipeline.blended(), layers = band.surface_layers && !blended;
+  for (size_t block = 0; block < b.blocks; ++block) {
+    const size_t to = band.visible.layout.offset(b.x[block], b.y[block]), from = block * kLanes;
+    for (int k = 0; k < 3; ++k) {
+      float* colour = band.colour[k].data() + to;
+      for (size_t i = 0; i < kLanes; ++i) {
+        const size_t j = from + i;
+        const float c = b.diffuse[k][j] + b.specular[k][j] + b.emission[k][j];
+        const float value = blended ? colour[i] + b.alpha[j] * (c - colour[i]) : c;
+        colour[i] = b.seen[j] != kNobody ? value : colour[i];
+      }
+      for (size_t i = 0; i < kLanes && layers; ++i) {
+        if (b.seen[from + i] == kNobody) continue;
+        band.albedo[k][to + i] = b.albedo[k][from + i], band.normal[k][to + i] = b.normal[k][from + i];
+      }
+    }
+  }
+}
+
+/// Shades the blocks that wait.
+void flush(const Frame& frame, Band& band) {
+  ShadeBatch& b = band.batch;
+  if (b.blocks == 0) return;
+  const Pipeline& pipeline = frame.pipelines.all[b.pipeline];
+  interpolate(frame, pipeline, b);
+  if (pipeline.textured) {
+    apply_textures(frame, pipeline, band.surface_layers, b);
+  } else {
+    emit_plain(frame, pipeline, b);
+  }
+  light(pipeline, b);
+  write(pipeline, b, band);
+  b.blocks = 0;
+}
+
+/// Makes room for a block of a pipeline. @return  its first pixel in the batch
+size_t add_block(const Frame& frame, uint32_t pipeline, int x, int y, Band& band) {
+  ShadeBatch& b = band.batch;
+  if (b.blocks == ShadeBatch::kBlocks || (b.blocks > 0 && b.pipeline != pipeline)) flush(frame, band);
+  b.pipeline = pipeline;
+  b.x[b.blocks] = x, b.y[b.blocks] = y;
+  return b.blocks++ * kLanes;
+}
+
+uint32_t next_pipeline(const Frame& frame, const uint32_t* seen, int after) {
+  int next = INT32_MAX;
+  for (size_t i = 0; i < kLanes; ++i) {
+    if (seen[i] == kNobody) continue;
+    const int pipeline = frame.source(seen[i]).pipeline;
+    if (pipeline > after) next = std::min(next, pipeline);
+  }
+  return uint32_t(next);
+}
+
+void shade_block(const Frame& frame, int x, int y, Band& band) {
+  const size_t at = band.visible.layout.offset(x, y);
+  const uint32_t* seen = band.visible.seen.data() + at;
+  if (std::all_of(seen, seen + kLanes, [](uint32_t name) { return name == kNobody; })) return;
+  const bool single = frame.pipelines.all.size() == 1;
+  for (uint32_t pipeline = single ? 0 : next_pipeline(frame, seen, -1); pipeline < frame.pipelines.all.size();
+       pipeline = single ? ~0U : next_pipeline(frame, seen, int(pipeline))) {
+    const size_t first = add_block(frame, pipeline, x, y, band);
+    std::copy_n(band.visible.depth.data() + at, kLanes, band.batch.depth + first);
+    for (size_t i = 0; i < kLanes; ++i) {
+      const bool own = seen[i] != kNobody && (single || frame.source(seen[i]).pipeline == pipeline);
+      band.batch.seen[first + i] = own ? seen[i] : kNobody;
+    }
+  }
+}
+
+}  // namespace
+
+void shade_opaque(const Frame& frame, Band& band) {
+  const BlockLayout& layout = band.visible.layout;
+  for (int y = layout.first_row; y < layout.first_row + layout.rows; y += kBlock)
+    for (int x = 0; x < layout.width; x += kBlock) shade_block(frame, x, y, band);
+  flush(frame, band);
+}
+
+void draw_blended(const Frame& frame, int index, Band& band) {
+  band.blended.clear();
+  for (uint32_t c = 0; c < frame.chunks.size(); ++c)
+    for (const Chunk::Blended& b : frame.chunks[c].blended[size_t(index)])
+      band.blended.emplace_back(c << kChunkBits | b.record, b.depth);
+  std::stable_sort(band.blended.begin(), band.blended.end(),
+                   [](const auto& a, const auto& b) { return a.second < b.second; });  // farthest first
+  for (const auto& [name, depth] : band.blended)
+    visit_nearer(frame.record(name), band.visible, [&, who = name](int x, int y, uint32_t bits, const float* z) {
+      const size_t first = add_block(frame, frame.source(who).pipeline, x, y, band);
+      std::copy_n(z, kLanes, band.batch.depth + first);
+      for (size_t i = 0; i < kLanes; ++i) band.batch.seen[first + i] = bits >> i & 1 ? who : kNobody;
+    });
+  flush(frame, band);
+}
+
+}  // namespace aktina
