@@ -4,7 +4,7 @@
 #include <array>
 
 #include "aktina/base/function_ref.h"
-#include "aktina/raster/frame.h"
+#include "aktina/raster/raster_frame.h"
 #include "aktina/raster/visibility.h"
 
 namespace aktina {
@@ -23,7 +23,7 @@ struct ShadeBatch {
   alignas(64) float albedo[3][kPixels], normal[3][kPixels];
 };
 
-struct Band {
+struct RasterBand {
   VisibilityBuffer visible;
   LineArray<float> colour[3], albedo[3], normal[3];  // albedo and normal: only where layers ask for them
   bool surface_layers = false;
@@ -33,21 +33,21 @@ struct Band {
 };
 
 /// Draws records `list` (places in a chunk) of an immediate pipeline: depth and colour, and nobody into `seen`.
-void draw_immediate(const Chunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
-                    std::span<const uint32_t> list, Band& band);
+void draw_immediate(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
+                    std::span<const uint32_t> list, RasterBand& band);
 /// Draws depth and name.
-void draw_deferred(const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list, Band& band);
+void draw_deferred(const TriangleChunk& chunk, uint32_t first_name, std::span<const uint32_t> list, RasterBand& band);
 
 /// Calls visit for each block in which a triangle is nearer than what is seen: bits of its pixels, and depths.
 using VisitBlock = FunctionRef<void(int x, int y, uint32_t bits, const float* depth)>;
 void visit_nearer(const TriangleRecord& record, const VisibilityBuffer& visible, VisitBlock visit);
 
 /// Positions, channels and surface coordinates of a batch, from the planes of its records.
-void interpolate(const Frame& frame, const Pipeline& pipeline, ShadeBatch& batch);
+void interpolate(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& batch);
 /// Evaluates the textures of a batch; bends normals by normal maps.
-void apply_textures(const Frame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& batch);
+void apply_textures(const RasterFrame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& batch);
 /// Whether a masked material is there at a pixel of a triangle.
-bool passes_mask(const Frame& frame, uint32_t name, int x, int y, float depth);
+bool passes_mask(const RasterFrame& frame, uint32_t name, int x, int y, float depth);
 
 /// What is seen beyond everything: the same everywhere, or pixel by pixel.
 struct Background {
@@ -58,9 +58,9 @@ struct Background {
 
 /// Draws a band of the frame: opaque surfaces, the background of pixels that see none, blended surfaces from back to
 /// front.
-void draw_band(const Frame& frame, int index, const Background& background, Band& band);
-void shade_opaque(const Frame& frame, Band& band);
-void fill_background(const Frame& frame, const Background& background, Band& band);
-void draw_blended(const Frame& frame, int index, Band& band);
+void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band);
+void shade_opaque(const RasterFrame& frame, RasterBand& band);
+void fill_background(const RasterFrame& frame, const Background& background, RasterBand& band);
+void draw_blended(const RasterFrame& frame, int index, RasterBand& band);
 
 }  // namespace aktina

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "aktina/raster/frame.h"
+#include "aktina/raster/raster_frame.h"
 #include "aktina/raster/triangle_group.h"
 
 namespace aktina {
@@ -10,7 +10,7 @@ namespace {
 /// One chunk on its way: appends group after group.
 class ChunkBuilder {
  public:
-  ChunkBuilder(const Frame& frame, Chunk& chunk) : frame_(frame), chunk_(chunk) {
+  ChunkBuilder(const RasterFrame& frame, TriangleChunk& chunk) : frame_(frame), chunk_(chunk) {
     chunk_.count = 0;
     chunk_.runs.clear();
     chunk_.bands.resize(size_t(frame.bands())), chunk_.blended.resize(size_t(frame.bands()));
@@ -74,8 +74,8 @@ class ChunkBuilder {
     }
   }
 
-  const Frame& frame_;
-  Chunk& chunk_;
+  const RasterFrame& frame_;
+  TriangleChunk& chunk_;
   uint32_t pipeline_ = 0;
   TriangleGroup group_{};
   Lanes samples_[kMostLatticePoints * kMostChannels];
@@ -83,7 +83,7 @@ class ChunkBuilder {
 
 }  // namespace
 
-void build_chunk(const Frame& frame, uint32_t index) {
+void build_chunk(const RasterFrame& frame, uint32_t index) {
   ChunkBuilder builder(frame, frame.chunks[index]);
   const uint32_t begin = index * kChunkTriangles, end = std::min(begin + kChunkTriangles, frame.list.triangle_count());
   const auto parts = frame.list.parts();

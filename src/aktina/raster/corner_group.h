@@ -11,12 +11,12 @@ namespace aktina {
 struct CornerGroup {
   int count = 0;
   LanesOf<int32_t> x[3], y[3];  // of corner k, as ScreenVertex
-  Lanes depth[3];            // as ScreenVertex
+  Lanes depth[3];               // as ScreenVertex
   LanesOf<uint32_t> vertex[3];  // of the draw list. Of clipped triangles: the original's
   LanesOf<uint32_t> triangle;   // of the draw list
-  Lanes side;                // 1: front; -1: back, whose corners 1 and 2 have changed places
-  bool clipped = false;      // corners are not the vertices, but between them:
-  Lanes barycentric[3][3];   // [corner][vertex], on the surface
+  Lanes side;                   // 1: front; -1: back, whose corners 1 and 2 have changed places
+  bool clipped = false;         // corners are not the vertices, but between them:
+  Lanes barycentric[3][3];      // [corner][vertex], on the surface
 };
 
 struct TriangleRange {

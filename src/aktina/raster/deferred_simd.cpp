@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
 namespace {
 
-void DrawDeferred(const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list, Band& band) {
+void DrawDeferred(const TriangleChunk& chunk, uint32_t first_name, std::span<const uint32_t> list, RasterBand& band) {
   const BlockLayout layout = band.visible.layout;
   float* const depths = band.visible.depth.data();
   auto* const seen = reinterpret_cast<int32_t*>(band.visible.seen.data());
@@ -55,7 +55,7 @@ struct Seen {
 };
 
 /// The few different triangles of a block.
-HWY_INLINE int find_seen(const Frame& frame, const ShadeBatch& batch, size_t block, Seen (&out)[kLanes]) {
+HWY_INLINE int find_seen(const RasterFrame& frame, const ShadeBatch& batch, size_t block, Seen (&out)[kLanes]) {
   const auto* names = reinterpret_cast<const int32_t*>(batch.seen) + block * kLanes;
   const auto where = [&](uint32_t name) HWY_ATTR {
     uint32_t bits = 0;
@@ -118,7 +118,7 @@ HWY_INLINE void find_positions(const View::Pixels& view, int x0, int y0, F depth
 }
 
 template <int Degree>
-void interpolate_degree(const Frame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
+void interpolate_degree(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
   const View::Pixels view = frame.view.pixels();
   const PlaneLayout layout = pipeline.layout;
   for (size_t block = 0; block < batch.blocks; ++block) {
@@ -138,7 +138,7 @@ void interpolate_degree(const Frame& frame, const Pipeline& pipeline, ShadeBatch
   }
 }
 
-void Interpolate(const Frame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
+void Interpolate(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
   switch (pipeline.layout.degree) {
     case 0:
       return interpolate_degree<0>(frame, pipeline, batch);
@@ -162,7 +162,7 @@ HWY_EXPORT(DrawDeferred);
 HWY_EXPORT(VisitNearer);
 HWY_EXPORT(Interpolate);
 
-void draw_deferred(const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list, Band& band) {
+void draw_deferred(const TriangleChunk& chunk, uint32_t first_name, std::span<const uint32_t> list, RasterBand& band) {
   HWY_DYNAMIC_DISPATCH(DrawDeferred)(chunk, first_name, list, band);
 }
 
@@ -170,7 +170,7 @@ void visit_nearer(const TriangleRecord& record, const VisibilityBuffer& visible,
   HWY_DYNAMIC_DISPATCH(VisitNearer)(record, visible, visit);
 }
 
-void interpolate(const Frame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
+void interpolate(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& batch) {
   HWY_DYNAMIC_DISPATCH(Interpolate)(frame, pipeline, batch);
 }
 

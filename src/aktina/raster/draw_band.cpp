@@ -6,7 +6,7 @@
 namespace aktina {
 namespace {
 
-void clear(const Frame& frame, int index, Rgb background, Band& band) {
+void clear(const RasterFrame& frame, int index, Rgb background, RasterBand& band) {
   const int first = index * kBandRows;
   band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
                      frame.view.farthest());
@@ -21,8 +21,8 @@ void clear(const Frame& frame, int index, Rgb background, Band& band) {
 }
 
 /// The slow path of alpha masks: each covered pixel asks the texture.
-void draw_masked(const Frame& frame, const Chunk& chunk, uint32_t first_name, std::span<const uint32_t> list,
-                 Band& band) {
+void draw_masked(const RasterFrame& frame, const TriangleChunk& chunk, uint32_t first_name,
+                 std::span<const uint32_t> list, RasterBand& band) {
   for (const uint32_t n : list)
     visit_nearer(chunk.records[n], band.visible, [&](int x, int y, uint32_t bits, const float* depth) {
       for (; bits != 0; bits &= bits - 1) {
@@ -34,8 +34,9 @@ void draw_masked(const Frame& frame, const Chunk& chunk, uint32_t first_name, st
     });
 }
 
-void draw_run(const Frame& frame, uint32_t index, uint32_t pipeline_index, std::span<const uint32_t> list, Band& band) {
-  const Chunk& chunk = frame.chunks[index];
+void draw_run(const RasterFrame& frame, uint32_t index, uint32_t pipeline_index, std::span<const uint32_t> list,
+              RasterBand& band) {
+  const TriangleChunk& chunk = frame.chunks[index];
   const Pipeline& pipeline = frame.pipelines.all[pipeline_index];
   const uint32_t first_name = index << kChunkBits;
   if (pipeline.immediate) {
@@ -47,9 +48,9 @@ void draw_run(const Frame& frame, uint32_t index, uint32_t pipeline_index, std::
   }
 }
 
-void draw_opaque(const Frame& frame, int index, Band& band) {
+void draw_opaque(const RasterFrame& frame, int index, RasterBand& band) {
   for (uint32_t c = 0; c < frame.chunks.size(); ++c) {
-    const Chunk& chunk = frame.chunks[c];
+    const TriangleChunk& chunk = frame.chunks[c];
     std::span<const uint32_t> left = chunk.bands[size_t(index)];
     for (size_t run = 0; run < chunk.runs.size() && !left.empty(); ++run) {
       const uint32_t end = run + 1 < chunk.runs.size() ? chunk.runs[run + 1].first : chunk.count;
@@ -62,7 +63,7 @@ void draw_opaque(const Frame& frame, int index, Band& band) {
 
 }  // namespace
 
-void draw_band(const Frame& frame, int index, const Background& background, Band& band) {
+void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band) {
   band.names = frame.pipelines.any_deferred;
   clear(frame, index, background.uniform, band);
   draw_opaque(frame, index, band);
@@ -71,7 +72,7 @@ void draw_band(const Frame& frame, int index, const Background& background, Band
   if (frame.pipelines.any_blended) draw_blended(frame, index, band);
 }
 
-void fill_background(const Frame& frame, const Background& background, Band& band) {
+void fill_background(const RasterFrame& frame, const Background& background, RasterBand& band) {
   const BlockLayout& layout = band.visible.layout;
   for (int y = layout.first_row; y < layout.first_row + layout.rows; ++y)
     for (int x = 0; x < layout.width; ++x) {

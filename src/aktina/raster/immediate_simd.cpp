@@ -24,8 +24,8 @@ HWY_INLINE void coordinates(const PlaneLayout& layout, const float* planes, F in
 }
 
 template <int Degree, bool Perspective>
-void draw(const Chunk& chunk, const Pipeline& pipeline, size_t stride, std::span<const uint32_t> list, bool name_nobody,
-          Band& band) {
+void draw(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, std::span<const uint32_t> list,
+          bool name_nobody, RasterBand& band) {
   const PlaneLayout planes_layout = pipeline.layout;
   const BlockLayout layout = band.visible.layout;
   const int terms = planes_layout.terms(), first_channel = planes_layout.channel_at(0);
@@ -59,8 +59,8 @@ void draw(const Chunk& chunk, const Pipeline& pipeline, size_t stride, std::span
 }
 
 template <bool Perspective>
-void draw_any(const Chunk& chunk, const Pipeline& pipeline, size_t stride, std::span<const uint32_t> list, bool nobody,
-              Band& band) {
+void draw_any(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, std::span<const uint32_t> list,
+              bool nobody, RasterBand& band) {
   switch (pipeline.layout.degree) {
     case 0:
       return draw<0, Perspective>(chunk, pipeline, stride, list, nobody, band);
@@ -73,8 +73,8 @@ void draw_any(const Chunk& chunk, const Pipeline& pipeline, size_t stride, std::
   }
 }
 
-void DrawImmediate(const Chunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
-                   std::span<const uint32_t> list, Band& band) {
+void DrawImmediate(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
+                   std::span<const uint32_t> list, RasterBand& band) {
   const bool nobody = band.names;
   if (perspective_view && pipeline.layout.perspective && pipeline.layout.degree > 0) {
     draw_any<true>(chunk, pipeline, stride, list, nobody, band);
@@ -92,8 +92,8 @@ namespace aktina {
 
 HWY_EXPORT(DrawImmediate);
 
-void draw_immediate(const Chunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
-                    std::span<const uint32_t> list, Band& band) {
+void draw_immediate(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, bool perspective_view,
+                    std::span<const uint32_t> list, RasterBand& band) {
   HWY_DYNAMIC_DISPATCH(DrawImmediate)(chunk, pipeline, stride, perspective_view, list, band);
 }
 

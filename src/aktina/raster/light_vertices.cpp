@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "aktina/raster/frame.h"
+#include "aktina/raster/raster_frame.h"
 
 namespace aktina {
 namespace {

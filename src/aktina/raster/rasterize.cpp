@@ -36,21 +36,21 @@ PipelineSettings settings_of(const Scene& scene, const RasterOptions& options) {
 /// Bands that threads work in, one each.
 class BandPool {
  public:
-  std::unique_ptr<Band> take() {
+  std::unique_ptr<RasterBand> take() {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<Band>();
-    std::unique_ptr<Band> band = std::move(free_.back());
+    if (free_.empty()) return std::make_unique<RasterBand>();
+    std::unique_ptr<RasterBand> band = std::move(free_.back());
     free_.pop_back();
     return band;
   }
-  void give_back(std::unique_ptr<Band> band) {
+  void give_back(std::unique_ptr<RasterBand> band) {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(band));
   }
 
  private:
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Band>> free_;
+  std::vector<std::unique_ptr<RasterBand>> free_;
 };
 
 /// Layer `index` of a picture, with the wanted size; its values are left as they are where it has that already.
@@ -96,7 +96,7 @@ class Rasterizer::Workshop {
         radiance_.front[k].resize(list_.vertex_count());
         radiance_.back[k].resize(list_.vertex_count());
       }
-    const Frame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
+    const RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
     if (progress) progress->begin("rasterizing", "bands", uint64_t(frame.bands()));
     draw_vertices(frame);
     parallel_for(chunks_.size(), 1, [&](size_t begin, size_t end) {
@@ -110,7 +110,7 @@ class Rasterizer::Workshop {
     uint32_t part, begin, end;
   };
 
-  void draw_vertices(const Frame& frame) {
+  void draw_vertices(const RasterFrame& frame) {
     parallel_for(pieces_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const Piece& piece = pieces_[i];
@@ -121,12 +121,12 @@ class Rasterizer::Workshop {
     });
   }
 
-  Layers prepare(LayeredImage& out, int width, int height) const {
+  PictureLayers prepare(LayeredImage& out, int width, int height) const {
     size_t count = 1;
     out.layers.resize(1 + size_t(options_.albedo) + size_t(options_.normal) + size_t(options_.position) +
                       size_t(options_.depth));
     layer_at(out, 0, "", width, height, 3);
-    Layers layers;
+    PictureLayers layers;
     if (options_.albedo) layers.albedo = &layer_at(out, count++, "albedo", width, height, 3);
     if (options_.normal) layers.normal = &layer_at(out, count++, "N", width, height, 3);
     if (options_.position) layers.position = &layer_at(out, count++, "P", width, height, 3);
@@ -134,7 +134,7 @@ class Rasterizer::Workshop {
     return layers;
   }
 
-  void draw_bands(const Frame& frame, const Camera& camera, const Layers& layers, LayeredImage& out,
+  void draw_bands(const RasterFrame& frame, const Camera& camera, const PictureLayers& layers, LayeredImage& out,
                   Progress* progress) {
     const auto sky = [&](int x, int y) {
       const CameraRay ray =
@@ -144,7 +144,7 @@ class Rasterizer::Workshop {
     const bool varies = scene_.environment.shines();
     const Background background{varies ? Rgb() : scene_.background.v, varies, sky};
     parallel_for(size_t(frame.bands()), 1, [&](size_t begin, size_t end) {
-      std::unique_ptr<Band> band = pool_.take();
+      std::unique_ptr<RasterBand> band = pool_.take();
       band->surface_layers = settings_.surface_layers;
       for (size_t b = begin; b < end; ++b) {
         if (progress) progress->throw_if_cancelled();
@@ -169,7 +169,7 @@ class Rasterizer::Workshop {
   std::vector<Piece> pieces_;
   ScreenVertices screen_;
   VertexRadiance radiance_;
-  std::vector<Chunk> chunks_;
+  std::vector<TriangleChunk> chunks_;
   BandPool pool_;
 };
 

@@ -17,8 +17,8 @@ struct RasterOptions {
   std::string illumination = "phong";  // as illumination_models() lists them
   int samples = 1;                     // per pixel: 1, 4 or 16 on a regular grid, averaged
   bool cull_back_faces = false;        // leave out the backs of single-sided materials; else both sides are drawn
-  // Layers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z" (distance
-  // along the view axis, m; infinite where nothing is seen).
+  // PictureLayers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z"
+  // (distance along the view axis, m; infinite where nothing is seen).
   bool albedo = false, normal = false, position = false, depth = false;
 };
 

@@ -2,7 +2,7 @@
 
 namespace aktina {
 
-void average_colour(const Band& band, int side, Image& out) {
+void average_colour(const RasterBand& band, int side, Image& out) {
   const BlockLayout& layout = band.visible.layout;
   const float share = 1 / float(side * side);
   for (int y = layout.first_row / side; y < (layout.first_row + layout.rows) / side; ++y)
@@ -17,7 +17,7 @@ void average_colour(const Band& band, int side, Image& out) {
     }
 }
 
-void resolve_layers(const Band& band, const View& view, int side, const Layers& out) {
+void resolve_layers(const RasterBand& band, const View& view, int side, const PictureLayers& out) {
   const BlockLayout& layout = band.visible.layout;
   const auto put = [](Image* image, int x, int y, Vec3 v) {
     if (image) image->set_rgb(x, y, {v.x, v.y, v.z});

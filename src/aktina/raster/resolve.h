@@ -7,14 +7,14 @@
 namespace aktina {
 
 /// Copies the colour of a band to its rows of a picture of as many pixels.
-void resolve_colour(const Band& band, Image& out);
+void resolve_colour(const RasterBand& band, Image& out);
 /// The same where each pixel has side x side samples: their mean.
-void average_colour(const Band& band, int side, Image& out);
+void average_colour(const RasterBand& band, int side, Image& out);
 
-/// Layers of a picture, or null: albedo, N, P take three channels, Z one. A pixel shows its middle sample.
-struct Layers {
+/// PictureLayers of a picture, or null: albedo, N, P take three channels, Z one. A pixel shows its middle sample.
+struct PictureLayers {
   Image *albedo = nullptr, *normal = nullptr, *position = nullptr, *depth = nullptr;
 };
-void resolve_layers(const Band& band, const View& view, int side, const Layers& out);
+void resolve_layers(const RasterBand& band, const View& view, int side, const PictureLayers& out);
 
 }  // namespace aktina

@@ -18,7 +18,7 @@ using RowTag = hn::CappedTag<float, 4>;
 constexpr RowTag kRow;
 constexpr size_t kRowPart = hn::MaxLanes(RowTag());
 
-void ResolveColour(const Band& band, Image& out) {
+void ResolveColour(const RasterBand& band, Image& out) {
   const BlockLayout& layout = band.visible.layout;
   alignas(64) float four[kBlock * 3 + 4];
   for (int y = layout.first_row; y < layout.first_row + layout.rows; ++y) {
@@ -46,7 +46,7 @@ namespace aktina {
 
 HWY_EXPORT(ResolveColour);
 
-void resolve_colour(const Band& band, Image& out) { HWY_DYNAMIC_DISPATCH(ResolveColour)(band, out); }
+void resolve_colour(const RasterBand& band, Image& out) { HWY_DYNAMIC_DISPATCH(ResolveColour)(band, out); }
 
 }  // namespace aktina
 #endif

@@ -33,7 +33,7 @@ void light(const Pipeline& pipeline, ShadeBatch& b) {
   }
 }
 
-void emit_plain(const Frame& frame, const Pipeline& pipeline, ShadeBatch& b) {
+void emit_plain(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& b) {
   const bool both = pipeline.emits_on(false), dark = is_black(pipeline.emission);
   for (size_t i = 0; i < b.blocks * kLanes; ++i) {
     const bool shines = !dark && b.seen[i] != kNobody && (both || frame.source(b.seen[i]).front);
@@ -41,7 +41,7 @@ void emit_plain(const Frame& frame, const Pipeline& pipeline, ShadeBatch& b) {
   }
 }
 
-void write(const Pipeline& pipeline, const ShadeBatch& b, Band& band) {
+void write(const Pipeline& pipeline, const ShadeBatch& b, RasterBand& band) {
   const bool blended = pipeline.blended(), layers = band.surface_layers && !blended;
   for (size_t block = 0; block < b.blocks; ++block) {
     const size_t to = band.visible.layout.offset(b.x[block], b.y[block]), from = block * kLanes;
@@ -62,7 +62,7 @@ void write(const Pipeline& pipeline, const ShadeBatch& b, Band& band) {
 }
 
 /// Shades the blocks that wait.
-void flush(const Frame& frame, Band& band) {
+void flush(const RasterFrame& frame, RasterBand& band) {
   ShadeBatch& b = band.batch;
   if (b.blocks == 0) return;
   const Pipeline& pipeline = frame.pipelines.all[b.pipeline];
@@ -78,7 +78,7 @@ void flush(const Frame& frame, Band& band) {
 }
 
 /// Makes room for a block of a pipeline. @return  its first pixel in the batch
-size_t add_block(const Frame& frame, uint32_t pipeline, int x, int y, Band& band) {
+size_t add_block(const RasterFrame& frame, uint32_t pipeline, int x, int y, RasterBand& band) {
   ShadeBatch& b = band.batch;
   if (b.blocks == ShadeBatch::kBlocks || (b.blocks > 0 && b.pipeline != pipeline)) flush(frame, band);
   b.pipeline = pipeline;
@@ -86,7 +86,7 @@ size_t add_block(const Frame& frame, uint32_t pipeline, int x, int y, Band& band
   return b.blocks++ * kLanes;
 }
 
-uint32_t next_pipeline(const Frame& frame, const uint32_t* seen, int after) {
+uint32_t next_pipeline(const RasterFrame& frame, const uint32_t* seen, int after) {
   int next = INT32_MAX;
   for (size_t i = 0; i < kLanes; ++i) {
     if (seen[i] == kNobody) continue;
@@ -96,7 +96,7 @@ uint32_t next_pipeline(const Frame& frame, const uint32_t* seen, int after) {
   return uint32_t(next);
 }
 
-void shade_block(const Frame& frame, int x, int y, Band& band) {
+void shade_block(const RasterFrame& frame, int x, int y, RasterBand& band) {
   const size_t at = band.visible.layout.offset(x, y);
   const uint32_t* seen = band.visible.seen.data() + at;
   if (std::all_of(seen, seen + kLanes, [](uint32_t name) { return name == kNobody; })) return;
@@ -114,17 +114,17 @@ void shade_block(const Frame& frame, int x, int y, Band& band) {
 
 }  // namespace
 
-void shade_opaque(const Frame& frame, Band& band) {
+void shade_opaque(const RasterFrame& frame, RasterBand& band) {
   const BlockLayout& layout = band.visible.layout;
   for (int y = layout.first_row; y < layout.first_row + layout.rows; y += kBlock)
     for (int x = 0; x < layout.width; x += kBlock) shade_block(frame, x, y, band);
   flush(frame, band);
 }
 
-void draw_blended(const Frame& frame, int index, Band& band) {
+void draw_blended(const RasterFrame& frame, int index, RasterBand& band) {
   band.blended.clear();
   for (uint32_t c = 0; c < frame.chunks.size(); ++c)
-    for (const Chunk::Blended& b : frame.chunks[c].blended[size_t(index)])
+    for (const TriangleChunk::Blended& b : frame.chunks[c].blended[size_t(index)])
       band.blended.emplace_back(c << kChunkBits | b.record, b.depth);
   std::stable_sort(band.blended.begin(), band.blended.end(),
                    [](const auto& a, const auto& b) { return a.second < b.second; });  // farthest first

@@ -13,7 +13,7 @@ struct Place {
   float weight[3];
 };
 
-Place place_of(const Frame& frame, uint32_t triangle, float b1, float b2) {
+Place place_of(const RasterFrame& frame, uint32_t triangle, float b1, float b2) {
   const auto parts = frame.list.parts();
   const auto after = std::upper_bound(parts.begin(), parts.end(), triangle,
                                       [](uint32_t t, const DrawPart& p) { return t < p.first_triangle; });
@@ -30,14 +30,14 @@ T between(const std::vector<T>& values, const Place& p, T none) {
   return sum;
 }
 
-Vec3 normal_at(const Frame& frame, const Place& p) {
+Vec3 normal_at(const RasterFrame& frame, const Place& p) {
   Vec3 n(0);
   for (int k = 0; k < 3; ++k) n += p.weight[k] * frame.list.normal_of(p.vertex[k]);
   return n;
 }
 
 /// Along which u grows: the mesh's tangents, or the triangle's own. w: handedness.
-Vec4 tangent_at(const Frame& frame, const Place& p, int uv_set) {
+Vec4 tangent_at(const RasterFrame& frame, const Place& p, int uv_set) {
   const Mesh& mesh = *p.part->mesh;
   if (!mesh.tangents.empty() && !p.part->flat) return between(mesh.tangents, p, Vec4(0));
   const auto& uv = mesh.uv[uv_set];
@@ -53,7 +53,7 @@ Vec4 tangent_at(const Frame& frame, const Place& p, int uv_set) {
 }
 
 /// The front's normal n, unit, bent by a normal map.
-Vec3 bent(const Frame& frame, const Material& m, const Place& p, const Vec2 (&uv)[2], Vec3 n) {
+Vec3 bent(const RasterFrame& frame, const Material& m, const Place& p, const Vec2 (&uv)[2], Vec3 n) {
   const Vec4 along = tangent_at(frame, p, m.normal_texture.uv_set);
   const Vec3 t = normalize_or(Vec3(along) - n * dot(n, Vec3(along)), Vec3(0));
   if (t == Vec3(0)) return n;
@@ -71,7 +71,7 @@ void put(float (&to)[3][ShadeBatch::kPixels], size_t i, Rgb v) {
   for (int k = 0; k < 3; ++k) to[k][i] = v[k];
 }
 
-void apply(const Frame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& b, size_t i) {
+void apply(const RasterFrame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& b, size_t i) {
   const RecordSource& source = frame.source(b.seen[i]);
   const Material& m = *pipeline.material;
   const Place p = place_of(frame, source.triangle, b.surface[0][i], b.surface[1][i]);
@@ -98,7 +98,7 @@ void apply(const Frame& frame, const Pipeline& pipeline, bool layers, ShadeBatch
 
 }  // namespace
 
-void apply_textures(const Frame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& b) {
+void apply_textures(const RasterFrame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& b) {
   for (size_t i = 0; i < b.blocks * kLanes; ++i) {
     if (b.seen[i] != kNobody) {
       apply(frame, pipeline, layers, b, i);
@@ -109,7 +109,7 @@ void apply_textures(const Frame& frame, const Pipeline& pipeline, bool layers, S
   }
 }
 
-bool passes_mask(const Frame& frame, uint32_t name, int x, int y, float depth) {
+bool passes_mask(const RasterFrame& frame, uint32_t name, int x, int y, float depth) {
   const TriangleRecord& r = frame.record(name);
   const RecordSource& source = frame.source(name);
   const float* planes = frame.planes(name);

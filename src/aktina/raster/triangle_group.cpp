@@ -81,7 +81,7 @@ void fill_screen(const View& view, const CornerGroup& c, TriangleGroup& out) {
 
 }  // namespace
 
-void fill_group(const Frame& frame, const Pipeline& pipeline, const CornerGroup& c, TriangleGroup& out) {
+void fill_group(const RasterFrame& frame, const Pipeline& pipeline, const CornerGroup& c, TriangleGroup& out) {
   const unsigned needs = pipeline.plan.needs;
   const bool bent = c.clipped && pipeline.lit && pipeline.plan.degree >= 2 && (needs & ShadingPlan::kRadiance);
   out.count = c.count;

@@ -22,7 +22,7 @@ struct RecordSource {
 };
 
 /// Triangles that were set up together, and in which bands they are.
-struct Chunk {
+struct TriangleChunk {
   struct Run {
     uint32_t first;  // record
     uint32_t pipeline;
@@ -45,19 +45,19 @@ struct VertexRadiance {
   LineArray<float> front[6], back[6];  // channels as TriangleGroup::radiance
 };
 
-struct Frame {
+struct RasterFrame {
   const Scene& scene;
   const DrawList& list;
   const View& view;
   const Pipelines& pipelines;
   const ScreenVertices& screen;
   const VertexRadiance& radiance;
-  std::vector<Chunk>& chunks;
+  std::vector<TriangleChunk>& chunks;
 
   int bands() const { return (view.height() + kBandRows - 1) / kBandRows; }
   size_t stride() const { return pipelines.lines * kLanes; }
   /// A record's name: its chunk and its place there.
-  const Chunk& chunk_of(uint32_t name) const { return chunks[name >> kChunkBits]; }
+  const TriangleChunk& chunk_of(uint32_t name) const { return chunks[name >> kChunkBits]; }
   static uint32_t place(uint32_t name) { return name & ((1U << kChunkBits) - 1); }
   const TriangleRecord& record(uint32_t name) const { return chunk_of(name).records[place(name)]; }
   const RecordSource& source(uint32_t name) const { return chunk_of(name).sources[place(name)]; }
@@ -69,6 +69,6 @@ void light_vertices(const DrawList& list, const DrawPart& part, const Pipeline& 
                     VertexRadiance& out);
 
 /// Sets up the triangles of chunk `index`.
-void build_chunk(const Frame& frame, uint32_t index);
+void build_chunk(const RasterFrame& frame, uint32_t index);
 
 }  // namespace aktina
