@@ -30,6 +30,7 @@ struct PointArrays {
   const float* position[3];                // m, world
   const float* normal[3];                  // of any length above 1e-15; on the side that is seen
   const SurfaceArrays* surface = nullptr;  // null: the material's own coefficients everywhere
+  bool unit_normals = false;               // of length 1, or near enough: not made unit again
 };
 
 /// Where radiance goes, cd/m^2; arrays as above, padding is written too.

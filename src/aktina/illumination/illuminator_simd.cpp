@@ -95,7 +95,8 @@ void light_points(const Model& model, const Illuminator& light, const PointArray
   const Surface& s = light.surface();
   const Rgb ambient = light.ambient();
   for (size_t i = 0; i < padded(points.count); i += kPart) {
-    const V3 x = load3(points.position, i), n = normalized(load3(points.normal, i));
+    const V3 x = load3(points.position, i), given = load3(points.normal, i);
+    const V3 n = points.unit_normals ? given : normalized(given);
     const V3 v = light.viewer().distant ? broadcast(light.viewer().at) : normalized(broadcast(light.viewer().at) - x);
     const F n_v = dot(n, v);
     const F exponent = hn::Max(textured ? load(textured->exponent + i) : set(s.exponent), zero());
@@ -147,8 +148,8 @@ void light_each(const Illuminator& light, const PointArrays& points, const LitAr
     Surface s = light.surface();
     if (points.surface && points.surface->whole) s = points.surface->whole[from];
     const Point3 x = at(points.position);
-    const Lit lit = illuminate(light.model(), s, light.lights(), light.ambient(), x,
-                               normalize_or(at(points.normal), {0, 0, 1}), light.viewer().towards(x));
+    const Vec3 n = points.unit_normals ? at(points.normal) : normalize_or(at(points.normal), {0, 0, 1});
+    const Lit lit = illuminate(light.model(), s, light.lights(), light.ambient(), x, n, light.viewer().towards(x));
     for (int k = 0; k < 3; ++k) out.diffuse[k][i] = lit.diffuse[k], out.specular[k][i] = lit.specular[k];
   }
 }

@@ -3,10 +3,20 @@
 
 namespace aktina {
 
-extern const ShadingRow flat_shading, gouraud_shading, phong_shading;
+extern const ShadingRow flat_shading, gouraud_shading, phong_shading, quadratic_normals_shading,
+    overveld_wyvill_shading, lee_jen_shading, quadratic_shading, seiler_shading, cubic_shading, hybrid_shading;
 
 std::span<const ShadingRow* const> shading_methods() {
-  static constexpr const ShadingRow* kTable[] = {&flat_shading, &gouraud_shading, &phong_shading};
+  static constexpr const ShadingRow* kTable[] = {&flat_shading,
+                                                 &gouraud_shading,
+                                                 &phong_shading,
+                                                 &quadratic_normals_shading,
+                                                 &overveld_wyvill_shading,
+                                                 &lee_jen_shading,
+                                                 &quadratic_shading,
+                                                 &seiler_shading,
+                                                 &cubic_shading,
+                                                 &hybrid_shading};
   return kTable;
 }
 
