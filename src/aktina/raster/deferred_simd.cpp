@@ -20,8 +20,8 @@ void DrawDeferred(const TriangleChunk& chunk, uint32_t first_name, std::span<con
   for (const uint32_t n : list) {
     const TriangleRecord& t = chunk.records[n];
     const I name = set(int32_t(first_name + n));
-    scan(t, layout.first_row, layout.first_row + layout.rows - 1, [&](const Block& b) HWY_ATTR {
-      const size_t at = layout.offset(b.x, b.y);
+    scan(t, layout, [&](const Block& b) HWY_ATTR {
+      const size_t at = b.offset;
       for (size_t p = 0; p < kParts; ++p) {
         const size_t i = at + p * kPart;
         const F z = depth_at(t, b, p), before = load(depths + i);
@@ -35,15 +35,15 @@ void DrawDeferred(const TriangleChunk& chunk, uint32_t first_name, std::span<con
 
 void VisitNearer(const TriangleRecord& t, const VisibilityBuffer& visible, VisitBlock visit) {
   const BlockLayout layout = visible.layout;
-  scan(t, layout.first_row, layout.first_row + layout.rows - 1, [&](const Block& b) HWY_ATTR {
+  scan(t, layout, [&](const Block& b) HWY_ATTR {
     Lanes depth;
     uint32_t bits = 0;
     for (size_t p = 0; p < kParts; ++p) {
-      const F z = depth_at(t, b, p), before = load(visible.depth.data() + layout.offset(b.x, b.y) + p * kPart);
+      const F z = depth_at(t, b, p), before = load(visible.depth.data() + b.offset + p * kPart);
       store(z, depth.v + p * kPart);
       bits |= bits_of(hn::And(b.covered_part(p), z > before)) << (p * kPart);
     }
-    if (bits != 0) visit(b.x, b.y, bits, depth.v);
+    if (bits != 0) visit(b.x(), b.y(), bits, depth.v);
   });
 }
 

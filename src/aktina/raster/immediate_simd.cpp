@@ -35,12 +35,11 @@ void draw(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, s
   for (const uint32_t n : list) {
     const TriangleRecord& t = chunk.records[n];
     const float* planes = chunk.planes.data() + n * stride;
-    scan(t, layout.first_row, layout.first_row + layout.rows - 1, [&](const Block& b) HWY_ATTR {
-      const size_t at = layout.offset(b.x, b.y);
+    scan(t, layout, [&](const Block& b) HWY_ATTR {
+      const size_t at = b.offset;
       for (size_t p = 0; p < kParts; ++p) {
         const size_t i = at + p * kPart;
-        F u = lane_x(p * kPart) + set(float(b.x - t.origin_x())),
-          v = lane_y(p * kPart) + set(float(b.y - t.origin_y()));
+        F u = b.dx(p), v = b.dy(p);
         const F z = fma(set(t.zx), u, fma(set(t.zy), v, set(t.z0))), before = load(depths + i);
         const M nearer = hn::And(b.covered_part(p), z > before);
         if (hn::AllFalse(kFloat, nearer)) continue;

@@ -46,15 +46,38 @@ HWY_INLINE hn::Mask<IntTag> covered(I e0, I e1, I e2) {
   return hn::Not(hn::Lt(hn::Or(hn::Or(e0, e1), e2), set(int32_t(0))));
 }
 
+/// Columns (rows) of the pixels of a tile's blocks, from the tile's own: one line for each column (row) of blocks.
+struct alignas(64) TilePlaces {
+  float x[4][16], y[4][16];
+};
+constexpr TilePlaces tile_places() {
+  TilePlaces t{};
+  for (int block = 0; block < 4; ++block)
+    for (int i = 0; i < 16; ++i) {
+      t.x[block][i] = float(4 * block + i % 4);
+      t.y[block][i] = float(4 * block + i / 4);
+    }
+  return t;
+}
+inline constexpr TilePlaces kTilePlaces = tile_places();
+
 /// A block of a triangle: where it is, and how to ask which of its pixels are covered.
 struct Block {
-  int x, y;           // upper left pixel
-  const Ints* lanes;  // of the three edges
-  int32_t e[3];       // at the upper left pixel
+  int tile_x, tile_y;    // upper left pixel of its tile
+  int number;            // in the tile, row by row
+  size_t offset;         // of its first value in buffers
+  const Ints* lanes;     // of the three edges
+  int32_t e[3];          // at its upper left pixel
+  float from_x, from_y;  // from the triangle's origin to the tile
 
+  HWY_INLINE int x() const { return tile_x + (number & 3) * kBlock; }
+  HWY_INLINE int y() const { return tile_y + (number & 12); }
   HWY_INLINE M covered_part(size_t p) const {
     return mask(covered(lanes[0].part[p] + set(e[0]), lanes[1].part[p] + set(e[1]), lanes[2].part[p] + set(e[2])));
   }
+  /// Pixels from the triangle's origin.
+  HWY_INLINE F dx(size_t p) const { return load(kTilePlaces.x[number & 3] + p * kPart) + set(from_x); }
+  HWY_INLINE F dy(size_t p) const { return load(kTilePlaces.y[number >> 2] + p * kPart) + set(from_y); }
 };
 
 /// Blocks of a tile of at most 4 x 4 that lie within `columns` x `rows` blocks, bit by bit.
@@ -63,50 +86,81 @@ HWY_INLINE uint32_t blocks_within(int columns, int rows) {
   return rows >= 4 ? row * 0x1111U : (row * 0x1111U) & ((1U << (4 * rows)) - 1);
 }
 
-/// Calls visit(const Block&) for each block of pixel rows first_row .. last_row (first_row a multiple of 4) in which
-/// the triangle may cover pixels.
-template <class Visit>
-HWY_INLINE void scan(const TriangleRecord& t, int first_row, int last_row, const Visit& visit) {
-  const int x0 = t.origin_x(), y0 = std::max(t.origin_y(), first_row);
-  const int x1 = t.last_x, y1 = std::min<int>(t.last_y, last_row);
+/// The three edge functions at the upper left pixel of a tile.
+struct TileEdges {
+  int32_t e[3];
+};
+HWY_INLINE TileEdges edges_at_tile(const TriangleRecord& t, int x, int y) {
+  TileEdges out;
+  if (t.large()) {  // within a tile they change by less than 2^30, so what is cut off does not change their sign
+    const Edges edges = edges_at(t, x, y);
+    for (int k = 0; k < 3; ++k)
+      out.e[k] = int32_t(std::clamp<int64_t>(edges.e[k], -(int64_t(1) << 30), int64_t(1) << 30));
+  } else {
+    for (int k = 0; k < 3; ++k) out.e[k] = t.e[k] + t.a[k] * (x - t.origin_x()) + t.b[k] * (y - t.origin_y());
+  }
+  return out;
+}
+
+/// What stays the same from tile to tile of a triangle.
+struct Steps {
   Ints lanes[3];
   int32_t corner[3];  // from the upper left pixel of a block to where the edge function is largest in it
-  for (int k = 0; k < 3; ++k) {
-    lanes[k] = step_lanes(t.a[k], t.b[k]);
-    corner[k] = 3 * std::max(t.a[k], 0) + 3 * std::max(t.b[k], 0);
+
+  HWY_INLINE explicit Steps(const TriangleRecord& t) {
+    for (int k = 0; k < 3; ++k) {
+      lanes[k] = step_lanes(t.a[k], t.b[k]);
+      corner[k] = 3 * std::max(t.a[k], 0) + 3 * std::max(t.b[k], 0);
+    }
   }
-  const bool large = t.large();
+
+  /// Bits of the blocks that may be covered; `edge` gets the functions at the blocks' upper left pixels.
+  HWY_INLINE uint32_t find_blocks(const TileEdges& tile, int32_t (&edge)[3][16]) const {
+    uint32_t blocks = 0;
+    for (size_t p = 0; p < kParts; ++p) {
+      I highest[3];
+      for (int k = 0; k < 3; ++k) {
+        const I e = hn::ShiftLeft<2>(lanes[k].part[p]) + set(tile.e[k]);
+        store(e, edge[k] + p * kPart);
+        highest[k] = e + set(corner[k]);
+      }
+      blocks |= bits_of(mask(covered(highest[0], highest[1], highest[2]))) << (p * kPart);
+    }
+    return blocks;
+  }
+};
+
+/// Calls visit(const Block&) for each block of the layout in which the triangle may cover pixels.
+template <class Visit>
+HWY_INLINE void scan(const TriangleRecord& t, const BlockLayout& layout, const Visit& visit) {
+  const int x0 = t.origin_x(), y0 = std::max(t.origin_y(), layout.first_row);
+  const int x1 = t.last_x, y1 = std::min<int>(t.last_y, layout.first_row + layout.rows - 1);
+  const size_t row = size_t(layout.blocks_across()) * kLanes;
+  const Steps steps(t);
+  alignas(64) int32_t edge[3][16];
   for (int tile_y = y0; tile_y <= y1; tile_y += 16)
     for (int tile_x = x0; tile_x <= x1; tile_x += 16) {
-      int32_t e[3];
-      if (large) {  // within a tile they change by less than 2^30, so what is cut off does not change its sign
-        const Edges edges = edges_at(t, tile_x, tile_y);
-        for (int k = 0; k < 3; ++k)
-          e[k] = int32_t(std::clamp<int64_t>(edges.e[k], -(int64_t(1) << 30), int64_t(1) << 30));
-      } else {
-        for (int k = 0; k < 3; ++k) e[k] = t.e[k] + t.a[k] * (tile_x - x0) + t.b[k] * (tile_y - t.origin_y());
-      }
-      uint32_t blocks = 0;
-      for (size_t p = 0; p < kParts; ++p) {
-        I highest[3];
-        for (int k = 0; k < 3; ++k) highest[k] = hn::ShiftLeft<2>(lanes[k].part[p]) + set(e[k] + corner[k]);
-        blocks |= bits_of(mask(covered(highest[0], highest[1], highest[2]))) << (p * kPart);
-      }
+      uint32_t blocks = steps.find_blocks(edges_at_tile(t, tile_x, tile_y), edge);
       blocks &= blocks_within(((x1 - tile_x) >> 2) + 1, ((y1 - tile_y) >> 2) + 1);
+      const size_t first = layout.offset(tile_x, tile_y);
+      const auto from_x = float(tile_x - x0), from_y = float(tile_y - t.origin_y());
       for (; blocks != 0; blocks &= blocks - 1) {
-        const int i = std::countr_zero(blocks), x = (i & 3) * 4, y = i & 12;
-        Block block{tile_x + x, tile_y + y, lanes, {}};
-        for (int k = 0; k < 3; ++k) block.e[k] = e[k] + t.a[k] * x + t.b[k] * y;
-        visit(block);
+        const int i = std::countr_zero(blocks);
+        visit(Block{tile_x,
+                    tile_y,
+                    i,
+                    first + size_t(i >> 2) * row + size_t(i & 3) * kLanes,
+                    steps.lanes,
+                    {edge[0][i], edge[1][i], edge[2][i]},
+                    from_x,
+                    from_y});
       }
     }
 }
 
 /// Depth of a triangle at the pixels of a block.
 HWY_INLINE F depth_at(const TriangleRecord& t, const Block& b, size_t p) {
-  const F x = lane_x(p * kPart) + set(float(b.x - t.origin_x())),
-          y = lane_y(p * kPart) + set(float(b.y - t.origin_y()));
-  return fma(set(t.zx), x, fma(set(t.zy), y, set(t.z0)));
+  return fma(set(t.zx), b.dx(p), fma(set(t.zy), b.dy(p), set(t.z0)));
 }
 
 }  // namespace aktina::HWY_NAMESPACE

@@ -16,8 +16,8 @@ void DrawVisibility(const TriangleRecord* records, const uint32_t* names, int co
   for (int n = 0; n < count; ++n) {
     const TriangleRecord& t = records[n];
     const I name = set(int32_t(names[n]));
-    scan(t, layout.first_row, layout.first_row + layout.rows - 1, [&](const Block& b) HWY_ATTR {
-      const size_t at = layout.offset(b.x, b.y);
+    scan(t, layout, [&](const Block& b) HWY_ATTR {
+      const size_t at = b.offset;
       for (size_t p = 0; p < kParts; ++p) {
         float* depth = out.depth.data() + at + p * kPart;
         auto* seen = reinterpret_cast<int32_t*>(out.seen.data()) + at + p * kPart;
