@@ -26,9 +26,10 @@ TEST(Parallel, VisitsEachItemOnceForAnyThreadCount) {
 TEST(Parallel, PassesExceptionsOn) {
   for (const int threads : {1, 2}) {
     set_thread_count(threads);
-    EXPECT_THROW(parallel_for(100, 1, [](size_t begin, size_t) {
-                   if (begin == 57 || begin == 0) throw std::runtime_error("57");
-                 }),
+    EXPECT_THROW(parallel_for(100, 1,
+                              [](size_t begin, size_t) {
+                                if (begin == 57 || begin == 0) throw std::runtime_error("57");
+                              }),
                  std::runtime_error);
   }
   set_thread_count(0);

@@ -259,5 +259,16 @@ TEST(OpenExr, AnAttributeOfAnotherSizeThanItsTypeIsRefused) {
   }
 }
 
+/// What the library does not read safely from a broken file is refused before it sees it.
+TEST(OpenExr, DeepPicturesAndManifestsAreRefused) {
+  std::vector<uint8_t> deep = Made{}.bytes();
+  deep[5] |= 0x08;
+  EXPECT_EQ(decode_error(deep), Code::unsupported);
+  std::vector<uint8_t> manifest = Made{}.bytes();
+  const std::string attribute("ids\0idmanifest\0\4\0\0\0\0\0\0\0", 23);
+  manifest.insert(manifest.begin() + 8, attribute.begin(), attribute.end());
+  EXPECT_EQ(decode_error(manifest), Code::unsupported);
+}
+
 }  // namespace
 }  // namespace aktina

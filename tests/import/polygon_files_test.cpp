@@ -198,6 +198,15 @@ TEST(Ply, HugeClaimsAreRefusedBeforeMemoryIsTaken) {
   EXPECT_NE(error_of([&] { ply(list); }).find("a list of 'vertex_indices' claims"), std::string::npos);
 }
 
+TEST(Ply, AnElementThatIsDeclaredTwiceIsRefused) {
+  const std::string bare = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string coloured = bare + "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  EXPECT_NE(error_of([&] {
+              ply("ply\nformat ascii 1.0\n" + bare + coloured + "end_header\n0 0 0\n0 0 0 1 2 3\n");
+            }).find("'vertex' is declared twice"),
+            std::string::npos);
+}
+
 TEST(Ply, PointsAloneAreRefused) {
   EXPECT_NE(error_of([] {
               ply("ply\nformat ascii 1.0\n" + std::string(kPlyVertices) + "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n");

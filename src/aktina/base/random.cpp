@@ -41,7 +41,8 @@ constexpr uint32_t sobol_second(uint32_t reversed) {
 Vec2 sobol_owen(uint32_t index, uint32_t seed) {
   const uint32_t shuffled = owen_scramble(index, hash32(seed));
   const uint32_t x = reverse_bits(shuffled), y = sobol_second(x);
-  return {unit_float(owen_scramble(x, hash32(seed + 0x9e3779b9U))), unit_float(owen_scramble(y, hash32(seed + 0x3c6ef372U)))};
+  return {unit_float(owen_scramble(x, hash32(seed + 0x9e3779b9U))),
+          unit_float(owen_scramble(y, hash32(seed + 0x3c6ef372U)))};
 }
 
 float van_der_corput_owen(uint32_t index, uint32_t seed) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr size_t kFirstAttribute = 8;           // after the magic number and the version
 constexpr uint8_t kMultiPartFlag = 0x10;        // in byte 5: several headers, an empty one ends them
+constexpr uint8_t kDeepFlag = 0x08;             // in byte 5: a part has lists of samples
 constexpr size_t kLargestAttribute = 64 << 20;  // previews and the like; pixels are no attributes
 
 /// Types whose values have one size: the library reads that much, whatever the file says, and goes astray.
@@ -87,8 +88,7 @@ struct Walk {
     } else if (type == "stringvector") {
       while (!inside.rest.empty()) inside.take(inside.whole());
     } else if (type == "idmanifest") {
-      if (inside.whole() > kLargestAttribute) fail();  // unpacked
-      return;
+      throw Error(Code::unsupported, where, "has an ID manifest");  // the library goes astray in broken ones
     } else {
       return;
     }
@@ -108,6 +108,7 @@ struct Walk {
 void check_exr_header(std::span<const uint8_t> bytes, const std::string& where) {
   Walk walk{bytes, where};
   if (bytes.size() < kFirstAttribute) walk.fail();
+  if ((bytes[5] & kDeepFlag) != 0) throw Error(Code::unsupported, where, "is a deep picture", "flatten it first");
   walk.rest = bytes.subspan(kFirstAttribute);
   if ((bytes[5] & kMultiPartFlag) == 0)
     walk.skip_header();

@@ -117,7 +117,7 @@ void read(Source source, const Header& header, const std::function<void(const El
         }
         const double length = source.take(property.count_type);
         const double least_item = header.format == Format::ascii ? 2 : double(bytes_of(property.type));
-        if (!(length >= 0 && length == double(uint64_t(length)) && length <= double(source.left()) / least_item))
+        if (!(length >= 0 && length <= double(source.left()) / least_item && length == double(uint64_t(length))))
           source.fail(fmt::format("a list of '{}' claims {} values", property.name, length));
         entry.lists[p].resize(size_t(length));
         for (double& value : entry.lists[p]) value = source.take(property.type);

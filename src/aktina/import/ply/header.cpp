@@ -70,6 +70,8 @@ class HeaderReader {
     int64_t number = 0;
     if (name.empty() || !parse_number(count, number) || number < 0) fail("element needs a name and a count");
     if (header_.elements.size() == kMostElements) fail("has too many elements");
+    for (const Element& other : header_.elements)
+      if (other.name == name) fail(fmt::format("element '{}' is declared twice", name.substr(0, 40)));
     expect_end(rest);
     header_.elements.push_back({std::string(name), uint64_t(number), {}});
   }
