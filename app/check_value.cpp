@@ -16,6 +16,7 @@ std::string range_of(const Option& option) {
   constexpr double kMost = std::numeric_limits<double>::max();
   if (option.min == -kMost && option.max == kMost) return "";
   if (option.max == kMost) return fmt::format("at least {:g}", option.min);
+  if (option.kind == Kind::whole) return fmt::format("accepted {:.0f} .. {:.0f}", option.min, option.max);
   return fmt::format("accepted {:g} .. {:g}", option.min, option.max);
 }
 
