@@ -49,6 +49,7 @@ void draw(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, s
         coordinates<Degree>(planes_layout, planes, w, u, v);
         for (int k = 0; k < 3; ++k) {
           F c = polynomial_at<Degree>(planes + first_channel + k * terms, u, v);
+          if constexpr (Degree >= 2) c = hn::Max(c, zero());  // they swing below zero around sharp highlights
           if constexpr (Perspective && Degree == 1) c = c * w;
           store(select(nearer, c, load(colours[k] + i)), colours[k] + i);
         }

@@ -22,8 +22,8 @@ void light(const Pipeline& pipeline, ShadeBatch& b) {
   }
   for (int k = 0; k < 3; ++k)
     for (size_t i = 0; i < count; ++i) {
-      b.diffuse[k][i] = pipeline.lit ? b.channel[k][i] : 0;
-      b.specular[k][i] = pipeline.lit ? b.channel[3 + k][i] : 0;
+      b.diffuse[k][i] = pipeline.lit ? std::max(b.channel[k][i], 0.0f) : 0;  // polynomials swing below zero
+      b.specular[k][i] = pipeline.lit ? std::max(b.channel[3 + k][i], 0.0f) : 0;
     }
   if (!pipeline.lit) return;
   for (int k = 0; k < 3; ++k) {  // the base texture multiplies what was lit without it
