@@ -63,6 +63,8 @@ void read_cameras(Document& document, const Hierarchy& hierarchy, Scene& scene) 
     if (index < 0) continue;
     Camera camera = cameras[size_t(index)];
     camera.to_world = rigid(scene.nodes[i].to_world);
+    const auto units = float(scene.metres_per_unit);
+    camera.near *= units, camera.far *= units, camera.half_height *= units;
     if (camera.name.empty()) camera.name = scene.nodes[i].name;
     scene.cameras.push_back(std::move(camera));
   }

@@ -44,6 +44,23 @@ void read_extensions(Document& document, const Value& material, Material& m) {
   m.specular_tint_texture = read_texture(document, specular["specularColorTexture"]);
 }
 
+/// extras.aktina: classic coefficients (docs/extras.aktina.schema.json). Those that are not stated follow from the
+/// metallic-roughness form.
+void read_classic(const Value& stated, Material& m) {
+  constexpr const char* kNames[] = {"ka", "kd", "ks", "kr", "kt", "exponent", "index"};
+  if (std::none_of(std::begin(kNames), std::end(kNames), [&](const char* name) { return bool(stated[name]); })) return;
+  const Surface derived = surface_of(m);
+  ClassicMaterial c;
+  c.ka = stated["ka"].rgb(derived.ka), c.kd = stated["kd"].rgb(derived.kd), c.ks = stated["ks"].rgb(derived.ks);
+  c.kr = stated["kr"].rgb(derived.kr), c.kt = stated["kt"].rgb(derived.kt);
+  for (const Rgb k : {c.ka, c.kd, c.ks, c.kr, c.kt})
+    if (!(min_channel(k) >= 0 && max_channel(k) <= 1)) stated.fail("coefficients should be from 0 to 1");
+  c.exponent = stated["exponent"].real(derived.exponent), c.index = stated["index"].real(m.ior);
+  if (!(c.exponent >= 0 && c.exponent <= 1e6f)) stated["exponent"].fail("should be from 0 to 1e6");
+  if (!(c.index >= 1 && c.index <= 100)) stated["index"].fail("should be from 1 to 100");
+  m.classic = c;
+}
+
 Material read_material(Document& document, const Value& material) {
   Material m;
   m.name = material["name"].text();
@@ -59,6 +76,7 @@ Material read_material(Document& document, const Value& material) {
   m.alpha_cutoff = material["alphaCutoff"].real(0.5f);
   m.double_sided = material["doubleSided"].flag(false);
   read_extensions(document, material, m);
+  read_classic(material["extras"]["aktina"], m);
   m.original = material.json();
   return m;
 }

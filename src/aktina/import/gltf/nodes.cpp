@@ -104,12 +104,18 @@ Hierarchy read_nodes(Document& document, Scene& scene) {
   };
   std::vector<Waiting> waiting;
   const std::vector<int> roots = find_roots(document, parents);
+  Mat4 units(1);
+  if (document.options.metres_per_unit > 0) {
+    scene.metres_per_unit = document.options.metres_per_unit;
+    for (int k = 0; k < 3; ++k) units[k][k] = float(scene.metres_per_unit);
+  }
   for (size_t i = roots.size(); i-- > 0;) waiting.push_back({roots[i], -1});
   while (!waiting.empty()) {
     const Waiting next = waiting.back();
     waiting.pop_back();
     const Value place = nodes[size_t(next.source)];
     Node node{place["name"].text(), next.parent, local_transform(place)};
+    if (next.parent < 0) node.local = units * node.local;
     node.to_world = next.parent < 0 ? node.local : scene.nodes[size_t(next.parent)].to_world * node.local;
     const Value children = place["children"];
     for (size_t k = children.size(); k-- > 0;)

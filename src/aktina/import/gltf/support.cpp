@@ -40,6 +40,7 @@ constexpr std::string_view kRead[] = {"KHR_lights_punctual",
                                       "KHR_draco_mesh_compression",
                                       "KHR_xmp",
                                       "KHR_xmp_json_ld",
+                                      "EXT_lights_ies",
                                       "EXT_mesh_gpu_instancing",
                                       "EXT_meshopt_compression",
                                       "EXT_texture_webp"};
