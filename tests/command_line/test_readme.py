@@ -38,7 +38,7 @@ class Readme(ProgramTest):
         if not os.path.isdir(module):
             self.skipTest("the Python module is not built")
         result = subprocess.run([sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True,
-                                env=dict(os.environ, PYTHONPATH=module))
+                                cwd=REPOSITORY, env=dict(os.environ, PYTHONPATH=module))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("0.1998", result.stdout)
 
