@@ -64,13 +64,12 @@ class ChunkBuilder {
     const uint32_t record = chunk_.count + uint32_t(i);
     const TriangleRecord& r = chunk_.records[record];
     chunk_.sources[record] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0};
-    const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
-    for (int band = r.first_y / kBandRows; band <= r.last_y / kBandRows; ++band) {
-      if (pipeline.blended()) {
-        chunk_.blended[size_t(band)].push_back({record, depth});
-      } else {
-        chunk_.bands[size_t(band)].push_back(record);
-      }
+    const uint32_t first = r.first_y / uint32_t(kBandRows), last = r.last_y / uint32_t(kBandRows);
+    if (pipeline.blended()) {
+      const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
+      for (uint32_t band = first; band <= last; ++band) chunk_.blended[band].push_back({record, depth});
+    } else {
+      for (uint32_t band = first; band <= last; ++band) chunk_.bands[band].push_back(record);
     }
   }
 

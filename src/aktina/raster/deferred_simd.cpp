@@ -1,4 +1,6 @@
 // What deferred pipelines need per pixel: names at first, then attributes of those that are seen.
+#include <hwy/cache_control.h>
+
 #include "aktina/raster/band.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,7 +19,9 @@ void DrawDeferred(const TriangleChunk& chunk, uint32_t first_name, std::span<con
   const BlockLayout layout = band.visible.layout;
   float* const depths = band.visible.depth.data();
   auto* const seen = reinterpret_cast<int32_t*>(band.visible.seen.data());
-  for (const uint32_t n : list) {
+  for (size_t at_list = 0; at_list < list.size(); ++at_list) {
+    const uint32_t n = list[at_list];
+    hwy::Prefetch(&chunk.records[list[std::min(at_list + kAhead, list.size() - 1)]]);
     const TriangleRecord& t = chunk.records[n];
     const I name = set(int32_t(first_name + n));
     scan(t, layout, [&](const Block& b) HWY_ATTR {

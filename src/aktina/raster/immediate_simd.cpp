@@ -1,4 +1,6 @@
 // Colour that is known as a polynomial is written while triangles are scanned.
+#include <hwy/cache_control.h>
+
 #include "aktina/raster/band.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -32,7 +34,10 @@ void draw(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, s
   float* const depths = band.visible.depth.data();
   auto* const seen = reinterpret_cast<int32_t*>(band.visible.seen.data());
   float* const colours[3] = {band.colour[0].data(), band.colour[1].data(), band.colour[2].data()};
-  for (const uint32_t n : list) {
+  for (size_t at_list = 0; at_list < list.size(); ++at_list) {
+    const uint32_t n = list[at_list], soon = list[std::min(at_list + kAhead, list.size() - 1)];
+    hwy::Prefetch(&chunk.records[soon]);
+    hwy::Prefetch(chunk.planes.data() + soon * stride);
     const TriangleRecord& t = chunk.records[n];
     const float* planes = chunk.planes.data() + n * stride;
     scan(t, layout, [&](const Block& b) HWY_ATTR {

@@ -18,6 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
 
+inline constexpr size_t kAhead = 4;  // triangles whose records are fetched before they are scanned
+
 /// Columns and rows of the pixels of a block, lane by lane; also those of the blocks of a tile of 4 x 4.
 struct alignas(64) LanePlaces {
   float x[16], y[16];

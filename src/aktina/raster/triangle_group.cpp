@@ -6,16 +6,17 @@ namespace {
 /// value(lane, vertex) at corner k of each triangle: a vertex's own, or between the three of a clipped one.
 template <class Value>
 void at_corners(const CornerGroup& c, const Value& value, Lanes* const (&out)[3]) {
-  for (int k = 0; k < 3; ++k)
-    for (size_t i = 0; i < kLanes; ++i) {
-      float v = 0;
-      if (c.clipped) {
-        for (int j = 0; j < 3; ++j) v += c.barycentric[k][j][i] * value(i, c.vertex[j][i]);
-      } else {
-        v = value(i, c.vertex[k][i]);
-      }
-      (*out[k])[i] = v;
+  for (int k = 0; k < 3; ++k) {
+    Lanes& to = *out[k];
+    if (!c.clipped) {
+      for (size_t i = 0; i < kLanes; ++i) to[i] = value(i, c.vertex[k][i]);
+      continue;
     }
+    for (size_t i = 0; i < kLanes; ++i) {
+      to[i] = 0;
+      for (int j = 0; j < 3; ++j) to[i] += c.barycentric[k][j][i] * value(i, c.vertex[j][i]);
+    }
+  }
 }
 
 void fill_positions(const DrawList& list, const CornerGroup& c, TriangleGroup& out) {
