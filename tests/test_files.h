@@ -14,8 +14,8 @@ inline std::filesystem::path repository() { return AKTINA_SOURCE_DIR; }
 /// Real third-party files, where they are (../shared/scenes). Tests that read them skip where the folder is absent.
 inline std::filesystem::path third_party_scenes() { return repository().parent_path() / "shared" / "scenes"; }
 
-#define AKTINA_NEEDS_THIRD_PARTY_SCENES()                                   \
-  if (!std::filesystem::exists(aktina::test::third_party_scenes()))         \
+#define AKTINA_NEEDS_THIRD_PARTY_SCENES()                           \
+  if (!std::filesystem::exists(aktina::test::third_party_scenes())) \
   GTEST_SKIP() << "third-party scenes are absent: " << aktina::test::third_party_scenes()
 
 /// A folder that is empty at first and removed at the end.

@@ -11,11 +11,11 @@ namespace aktina {
 
 /// What a watcher sees.
 struct ProgressState {
-  std::string stage;    // "tracing", "solving"
-  std::string unit;     // "tiles", "patches", "samples"
-  uint64_t done = 0;    // of `total`
-  uint64_t total = 0;   // 0: not known
-  double seconds = 0;   // since the stage began
+  std::string stage;   // "tracing", "solving"
+  std::string unit;    // "tiles", "patches", "samples"
+  uint64_t done = 0;   // of `total`
+  uint64_t total = 0;  // 0: not known
+  double seconds = 0;  // since the stage began
 };
 
 class Progress {

@@ -33,9 +33,7 @@ constexpr float max_channel(Rgb c) { return c.r > c.g ? (c.r > c.b ? c.r : c.b) 
 constexpr float min_channel(Rgb c) { return c.r < c.g ? (c.r < c.b ? c.r : c.b) : (c.g < c.b ? c.g : c.b); }
 constexpr float mean(Rgb c) { return (c.r + c.g + c.b) * (1.0f / 3); }
 constexpr bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
-inline bool is_finite(Rgb c) {
-  return __builtin_isfinite(c.r) && __builtin_isfinite(c.g) && __builtin_isfinite(c.b);
-}
+inline bool is_finite(Rgb c) { return __builtin_isfinite(c.r) && __builtin_isfinite(c.g) && __builtin_isfinite(c.b); }
 constexpr Rgb clamped(Rgb c, float low, float high) {
   for (int i = 0; i < 3; ++i) c[i] = c[i] < low ? low : c[i] > high ? high : c[i];
   return c;

@@ -41,9 +41,7 @@ inline Vec3 normalize_or(Vec3 v, Vec3 fallback) {
   return l2 > 1e-30f && l2 < kInfinity ? v * (1 / __builtin_sqrtf(l2)) : fallback;
 }
 
-inline bool is_finite(Vec3 v) {
-  return __builtin_isfinite(v.x) && __builtin_isfinite(v.y) && __builtin_isfinite(v.z);
-}
+inline bool is_finite(Vec3 v) { return __builtin_isfinite(v.x) && __builtin_isfinite(v.y) && __builtin_isfinite(v.z); }
 
 inline Point3 transform_point(const Mat4& m, Point3 p) { return Vec3(m * Vec4(p, 1)); }
 inline Vec3 transform_vector(const Mat4& m, Vec3 v) { return Vec3(m * Vec4(v, 0)); }

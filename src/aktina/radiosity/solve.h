@@ -39,8 +39,8 @@ struct RadiosityOptions {
 Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options = {}, Progress* progress = nullptr);
 
 /// The scene as any viewer shows it without computing light: each instance's mesh cut into its patches, H / pi (cd/m^2)
-/// as vertex colours on unlit materials that keep their base texture; emissive surfaces carry their own radiance. Names,
-/// nodes, cameras and lights stay. What write_lit_gltf() writes and render_solution() draws.
+/// as vertex colours on unlit materials that keep their base texture; emissive surfaces carry their own radiance.
+/// Names, nodes, cameras and lights stay. What write_lit_gltf() writes and render_solution() draws.
 Scene lit_scene(const Scene& scene, const Solution& solution);
 
 /// The solution seen from a camera, by the rasterizer: linear radiance, cd/m^2. Base textures stay sharp: the

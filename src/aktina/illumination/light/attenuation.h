@@ -3,8 +3,8 @@
 
 namespace aktina {
 
-/// The classic factor f(d) = min(1, 1 / (a0 + a1 d + a2 d^2)). The default, (0, 0, 1) without the clamp, is the physical
-/// inverse square law that photometric lights follow.
+/// The classic factor f(d) = min(1, 1 / (a0 + a1 d + a2 d^2)). The default, (0, 0, 1) without the clamp, is the
+/// physical inverse square law that photometric lights follow.
 struct Attenuation {
   float a0 = 0, a1 = 0, a2 = 1;  // 1, m^-1, m^-2
   bool clamp = false;            // to at most 1, as the classic form has it
