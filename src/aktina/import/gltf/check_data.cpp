@@ -9,7 +9,8 @@
 namespace aktina::gltf {
 namespace {
 
-constexpr uint64_t kBlock = 1 << 14;                 // elements looked at in one piece
+constexpr uint64_t kBlock = 1 << 14;  // elements looked at in one piece
+constexpr size_t kMostFaults = 1000;  // after which unused parts are not looked at further: naming a place takes time
 constexpr uint64_t kMostValues = uint64_t(1) << 28;  // that are looked at: accessors may overlap without end
 
 class DataChecker {
@@ -30,6 +31,9 @@ class DataChecker {
     for (size_t i = 0; i < accessors_.size(); ++i)
       if (indexing_[i]) guarded(&DataChecker::check_indices, accessors_[i]);
     check_punctual_lights();
+    const Value root = document_.root();
+    warn(root["animations"].size() > 0, "animations are left out: nodes stand where the file puts them");
+    warn(root["skins"].size() > 0, "skins are left out: meshes stand in their rest pose");
   }
 
  private:
@@ -38,9 +42,11 @@ class DataChecker {
   }
 
   void guarded(void (DataChecker::*check)(const Value&), const Value& place) {
+    if (faults_ > kMostFaults) return;
     try {
       (this->*check)(place);
     } catch (const Error&) {
+      ++faults_;
       document_.warnings.add("accessors that nothing shown needs cannot be read");
     }
   }
@@ -48,9 +54,11 @@ class DataChecker {
   /// Fallbacks of compressed buffers have no data.
   void check_buffer(size_t index, const Value& buffer) {
     if (buffer.extension("EXT_meshopt_compression")) return;
+    if (faults_ > kMostFaults) return;
     try {
       document_.buffer(index);
     } catch (const Error&) {
+      ++faults_;
       document_.warnings.add("buffers that nothing shown needs cannot be read");
     }
   }
@@ -182,6 +190,7 @@ class DataChecker {
   Document& document_;
   Value accessors_;
   std::vector<bool> indexing_;  // accessors that primitives use as indices
+  size_t faults_ = 0;           // that were caught
   uint64_t left_ = kMostValues;
 };
 

@@ -8,7 +8,8 @@
 namespace aktina::gltf {
 namespace {
 
-constexpr size_t kMostNamed = 20;  // broken pictures that are named; the rest is counted
+constexpr size_t kMostNamed = 20;     // broken pictures that are named; the rest is counted
+constexpr size_t kMostFaults = 1000;  // after so many the rest is not looked for
 
 std::string media_type(ImageFormat format) {
   switch (format) {
@@ -72,25 +73,32 @@ class ImageReader {
     }
   }
 
+  std::string place(size_t i) const { return document_.root().place() + " /images/" + std::to_string(i); }
+
   void read_encoded(size_t i) {
-    const Value place = list_[i];
+    const Value source = list_[i];
     TextureImage& image = scene_.images.emplace_back();
-    image.name = place["name"].text();
-    if (place["uri"] && !place["uri"].text_view().starts_with("data:")) image.uri = place["uri"].text();
+    image.name = source["name"].text();
+    if (source["uri"] && !source["uri"].text_view().starts_with("data:")) image.uri = source["uri"].text();
+    if (faulty_ >= kMostFaults) {
+      faults_[i] = "not looked for after so many";
+      return;
+    }
     guarded(i, [&] {
-      image.encoded = encoded_bytes(document_, place);
-      const ImageHeader header = read_image_header(image.encoded, place.place());
+      image.encoded = encoded_bytes(document_, source);
+      const ImageHeader header = read_image_header(image.encoded, place(i));
       image.media_type = media_type(header.format);
       const bool bitmap = !image.media_type.ends_with("radiance") && !image.media_type.ends_with("exr");
       if (used_[i])
-        document_.allowance.take(uint64_t(header.width) * uint64_t(header.height) * (bitmap ? 4 : 16), place);
+        document_.allowance.take(uint64_t(header.width) * uint64_t(header.height) * (bitmap ? 4 : 16), source);
     });
+    faulty_ += faults_[i].empty() ? 0 : 1;
   }
 
   void decode(size_t i) {
     if (!used_[i] || !faults_[i].empty()) return;
     TextureImage& image = scene_.images[i];
-    guarded(i, [&] { image.pixels = decode_texture(image.encoded, list_[i].place()); });
+    guarded(i, [&] { image.pixels = decode_texture(image.encoded, place(i)); });
   }
 
   void report() {
@@ -99,7 +107,7 @@ class ImageReader {
       if (faults_[i].empty()) continue;
       scene_.images[i].pixels = Bitmap{1, 1, 4, false, {255, 255, 255, 255}};
       std::string text = "pictures are missing or broken, and taken as white";
-      if (++named <= kMostNamed) text += ": " + list_[i].pointer() + ": " + faults_[i];
+      if (++named <= kMostNamed) text += ": /images/" + std::to_string(i) + ": " + faults_[i];
       document_.warnings.add(text);
     }
   }
@@ -109,6 +117,7 @@ class ImageReader {
   Scene& scene_;
   std::vector<bool> used_;
   std::vector<std::string> faults_;
+  size_t faulty_ = 0;
 };
 
 }  // namespace

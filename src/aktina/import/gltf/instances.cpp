@@ -21,7 +21,7 @@ class InstanceReader {
   void read(const Value& place, int node) {
     const int mesh = place["mesh"].index(meshes_.size());
     if (mesh >= 0) read_mesh(place, node, meshes_[size_t(mesh)]);
-    const Value shape = place["extras"]["aktina"]["primitive"];
+    const Value shape = place.aktina_extras()["primitive"];
     if (shape) read_shape(place, shape, node);
   }
 

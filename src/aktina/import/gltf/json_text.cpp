@@ -41,6 +41,7 @@ void check_shape(std::span<const uint8_t> text, const std::string& where) {
 void DeleteJson::operator()(Json* json) const { delete json; }
 
 JsonPointer parse_json(std::span<const uint8_t> text, const std::string& where) {
+  if (text.empty()) throw Error(Code::bad_input, where, "the file is empty");
   check_shape(text, where);
   try {
     JsonPointer root(new Json(Json::parse(text.begin(), text.end())));

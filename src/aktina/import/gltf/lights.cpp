@@ -1,9 +1,7 @@
-// KHR_lights_punctual and EXT_lights_ies: points, spots, distant lights and measured luminaires, placed by the nodes
-// that name them.
+// KHR_lights_punctual: points, spots and distant lights, placed by the nodes that name them.
 #include <algorithm>
 
 #include "aktina/import/gltf/nodes.h"
-#include "aktina/import/luminaire/luminaire.h"
 
 namespace aktina::gltf {
 namespace {
@@ -33,27 +31,6 @@ std::optional<Light> read_light(Document& document, const Value& place, const Ma
   return std::nullopt;
 }
 
-/// EXT_lights_ies: photometry from an IES file beside or within the document.
-std::optional<Light> read_luminaire(Document& document, const Value& use, const Value& place, const Mat4& to_world) {
-  std::vector<uint8_t> bytes;
-  if (place["uri"]) {
-    bytes = fetch(document, place["uri"]);
-  } else {
-    const int view = place["bufferView"].index(document.list("bufferViews").size());
-    if (view < 0) place.fail("has neither a uri nor a bufferView");
-    const auto data = document.view(size_t(view));
-    bytes.assign(data.begin(), data.end());
-  }
-  const Mat4 turn = rigid(to_world);
-  LuminaireLight light;
-  light.position = Vec3(to_world[3]), light.direction = -Vec3(turn[2]), light.c0 = Vec3(turn[0]);
-  light.colour = use["color"].rgb(Rgb(1)) * use["multiplier"].real(1);
-  if (!is_finite(light.colour) || min_channel(light.colour) < 0)
-    use["multiplier"].fail("should be finite, not below 0");
-  light.table = read_ies(bytes, document.folder, place.place()).table;
-  return light;
-}
-
 }  // namespace
 
 void read_lights(Document& document, const Hierarchy& hierarchy, Scene& scene) {
@@ -66,15 +43,6 @@ void read_lights(Document& document, const Hierarchy& hierarchy, Scene& scene) {
     const std::string name = place["name"].text(scene.nodes[i].name);
     if (const auto light = read_light(document, place, scene.nodes[i].to_world))
       scene.lights.push_back({name, *light, int(i)});
-  }
-  const Value luminaires = document.root().extension("EXT_lights_ies")["lights"];
-  for (size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Value use = nodes[size_t(hierarchy.source[i])].extension("EXT_lights_ies");
-    const int index = use["light"].index(luminaires.size());
-    if (index < 0) continue;
-    const Value place = luminaires[size_t(index)];
-    if (const auto light = read_luminaire(document, use, place, scene.nodes[i].to_world))
-      scene.lights.push_back({place["name"].text(scene.nodes[i].name), *light, int(i)});
   }
 }
 

@@ -61,6 +61,24 @@ void read_classic(const Value& stated, Material& m) {
   m.classic = c;
 }
 
+/// KHR_materials_pbrSpecularGlossiness, the older description: a dielectric whose reflectance at normal incidence is
+/// the specular colour. The glossiness in the alpha of its picture is left out.
+void read_glossiness(Document& document, const Value& material, Material& m) {
+  const Value old = material.extension("KHR_materials_pbrSpecularGlossiness");
+  if (!old) return;
+  constexpr float kDielectric = 0.04f;  // of ior 1.5, which the tint multiplies
+  float base[] = {1, 1, 1, 1};
+  old["diffuseFactor"].numbers(base);
+  m.base_colour = {base[0], base[1], base[2]}, m.alpha = base[3];
+  m.base_texture = read_texture(document, old["diffuseTexture"]);
+  m.metallic = 0, m.roughness = 1 - old["glossinessFactor"].real(1), m.ior = 1.5f;
+  m.metallic_roughness_texture = Texture();
+  m.specular_weight = 1, m.specular_tint = old["specularFactor"].rgb(Rgb(1)) / kDielectric;
+  m.specular_texture = Texture();
+  m.specular_tint_texture = read_texture(document, old["specularGlossinessTexture"]);
+  if (m.specular_tint_texture) document.warnings.add("the glossiness in pictures of specular colour is left out");
+}
+
 Material read_material(Document& document, const Value& material) {
   Material m;
   m.name = material["name"].text();
@@ -76,7 +94,8 @@ Material read_material(Document& document, const Value& material) {
   m.alpha_cutoff = material["alphaCutoff"].real(0.5f);
   m.double_sided = material["doubleSided"].flag(false);
   read_extensions(document, material, m);
-  read_classic(material["extras"]["aktina"], m);
+  read_glossiness(document, material, m);
+  read_classic(material.aktina_extras(), m);
   m.original = material.json();
   return m;
 }

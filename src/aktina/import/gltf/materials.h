@@ -15,7 +15,4 @@ Texture read_texture(Document& document, const Value& info);
 /// Scene::materials, in the file's order.
 void read_materials(Document& document, Scene& scene);
 
-/// extras.aktina of a material: the classic coefficients.
-std::optional<ClassicMaterial> read_classic(const Value& extras, const Material& material);
-
 }  // namespace aktina::gltf

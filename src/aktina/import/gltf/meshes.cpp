@@ -101,8 +101,6 @@ class PrimitiveReader {
     const Value attributes = primitive_["attributes"];
     if (attributes["TEXCOORD_2"] || attributes["COLOR_1"])
       document_.warnings.add("texture coordinates beyond set 1 or colours beyond set 0 were left out");
-    if (attributes["JOINTS_0"] || attributes["WEIGHTS_0"])
-      document_.warnings.add("skinned meshes stand in their rest pose");
   }
 
   Accessor open_as_long(const Value& place, int least_width, int most_width) {
@@ -157,7 +155,10 @@ MeshTable read_meshes(Document& document, const std::vector<bool>& used, Scene& 
   const Value list = document.list("meshes");
   MeshTable table(list.size());
   for (size_t i = 0; i < list.size(); ++i) {
-    if (!used[i]) continue;
+    if (!used[i]) {
+      document.warnings.add("meshes that no node of the scene shows were left out");
+      continue;
+    }
     const Value primitives = list[i]["primitives"];
     for (size_t k = 0; k < primitives.size(); ++k) {
       Mesh mesh = PrimitiveReader(document, primitives[k]).read();

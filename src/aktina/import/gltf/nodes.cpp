@@ -114,6 +114,7 @@ Hierarchy read_nodes(Document& document, Scene& scene) {
     const Waiting next = waiting.back();
     waiting.pop_back();
     const Value place = nodes[size_t(next.source)];
+    if (!place.extension("KHR_node_visibility")["visible"].flag(true)) continue;  // with all below it
     Node node{place["name"].text(), next.parent, local_transform(place)};
     if (next.parent < 0) node.local = units * node.local;
     node.to_world = next.parent < 0 ? node.local : scene.nodes[size_t(next.parent)].to_world * node.local;

@@ -20,6 +20,7 @@ Hierarchy read_nodes(Document& document, Scene& scene);
 /// Camera, lights, meshes and shapes of each node.
 void read_cameras(Document& document, const Hierarchy& hierarchy, Scene& scene);
 void read_lights(Document& document, const Hierarchy& hierarchy, Scene& scene);
+void read_luminaires(Document& document, const Hierarchy& hierarchy, Scene& scene);
 void read_instances(Document& document, const Hierarchy& hierarchy, const MeshTable& meshes, Scene& scene);
 
 /// The rotation of a placement, its scale taken away: columns are unit and orthogonal.

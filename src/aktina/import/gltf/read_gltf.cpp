@@ -39,11 +39,13 @@ Scene read_gltf(std::span<const uint8_t> bytes, const Path& folder, const std::s
   read_instances(document, hierarchy, meshes, scene);
   read_cameras(document, hierarchy, scene);
   read_lights(document, hierarchy, scene);
-  scene.ambient = document.root()["extras"]["aktina"]["ambient"].rgb(Rgb(0));
-  scene.background = Radiance(document.root()["extras"]["aktina"]["background"].rgb(Rgb(0)));
+  read_luminaires(document, hierarchy, scene);
+  const Value extras = document.root().aktina_extras();
+  scene.ambient = extras["ambient"].rgb(Rgb(0));
+  scene.background = Radiance(extras["background"].rgb(Rgb(0)));
   for (const Rgb light : {scene.ambient, scene.background.v})
     if (!is_finite(light) || min_channel(light) < 0)
-      document.root()["extras"]["aktina"].fail("ambient and background should be finite and not below 0");
+      extras.fail("ambient and background should be finite and not below 0");
   check_data(document);
   scene.warnings = document.warnings;
   if (options.default_camera) add_default_camera(scene);

@@ -20,6 +20,15 @@ constexpr Shape kLightList{"KHR_lights_punctual", kLightListRows};
 constexpr Property kLightUseRows[] = {required(reference("light", kLights))};
 constexpr Shape kLightUse{"KHR_lights_punctual", kLightUseRows};
 
+constexpr Property kProfileRows[] = {text("name"), text("uri"), text("mimeType"),
+                                     reference("bufferView", "/bufferViews")};
+constexpr Shape kProfile{"light profile", kProfileRows};
+constexpr Property kProfileListRows[] = {required(objects("lights", kProfile))};
+constexpr Shape kProfileList{"EXT_lights_ies", kProfileListRows};
+constexpr Property kProfileUseRows[] = {required(reference("light", "/extensions/EXT_lights_ies/lights")),
+                                        number("multiplier", 0), numbers("color", 3, 0, 1)};
+constexpr Shape kProfileUse{"EXT_lights_ies", kProfileUseRows};
+
 constexpr Property kStrengthRows[] = {number("emissiveStrength", 0)};
 constexpr Shape kStrength{"KHR_materials_emissive_strength", kStrengthRows};
 constexpr Property kIorRows[] = {number("ior")};  // 0, or from 1: see read_material
@@ -96,8 +105,8 @@ constexpr Shape kPointer{"KHR_animation_pointer", kPointerRows, false};
 constexpr ExtensionShape kExtensions[] = {
     {"KHR_lights_punctual", "glTF", &kLightList},
     {"KHR_lights_punctual", "node", &kLightUse},
-    {"EXT_lights_ies", "glTF"},
-    {"EXT_lights_ies", "node"},
+    {"EXT_lights_ies", "glTF", &kProfileList},
+    {"EXT_lights_ies", "node", &kProfileUse},
     {"KHR_materials_emissive_strength", "material", &kStrength},
     {"KHR_materials_ior", "material", &kIor},
     {"KHR_materials_transmission", "material", &kTransmission},

@@ -58,6 +58,12 @@ Value Value::operator[](size_t index) const {
   return out;
 }
 
+Value Value::aktina_extras() const {
+  Value extras = (*this)["extras"];
+  if (extras.json_ && !extras.json_->is_object()) extras.json_ = nullptr;
+  return extras["aktina"];
+}
+
 size_t Value::size() const { return json_ && json_->is_structured() ? json_->size() : 0; }
 
 std::vector<std::string> Value::names() const {

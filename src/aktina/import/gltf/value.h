@@ -31,6 +31,7 @@ class Value {
   Value operator[](const char* key) const;
   Value operator[](size_t index) const;
   Value extension(const char* name) const { return (*this)["extensions"][name]; }
+  Value aktina_extras() const;  // extras.aktina; absent where extras are something else than an object
 
   size_t size() const;                     // of an array or object; 0 of anything else
   std::vector<std::string> names() const;  // of an object's members, sorted
