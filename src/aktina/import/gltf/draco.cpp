@@ -3,6 +3,7 @@
 #include <draco/compression/decode.h>
 
 #include <limits>
+#include <new>
 
 namespace aktina::gltf {
 namespace {
@@ -46,16 +47,19 @@ class DracoReader {
   }
 
  private:
-  /// The number of points that a file claims is bounded by the bits that it takes before anything is decoded: Draco
-  /// itself refuses more faces or points than its stream can hold.
+  /// Draco holds what its stream claims against the stream's length; a claim that it believes ends as want of memory.
   void decode() {
     const auto bytes = document_.view(size_t(place_["bufferView"].whole(0)));
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     draco::Decoder decoder;
-    auto result = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!result.ok()) place_.fail("the packed data are corrupt: " + result.status().error_msg_string());
-    packed_ = std::move(result).value();
+    try {
+      auto result = decoder.DecodeMeshFromBuffer(&buffer);
+      if (!result.ok()) place_.fail("the packed data are corrupt: " + result.status().error_msg_string());
+      packed_ = std::move(result).value();
+    } catch (const std::bad_alloc&) {
+      place_.fail("the packed data claim more than fits into memory", Code::limit);
+    }
   }
 
   /// @param missing  value of components that the attribute has not
