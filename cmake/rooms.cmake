@@ -1,7 +1,7 @@
 # One target per folder of src/aktina. A room may use only the rooms named after USES, which stand above
 # it in the table of docs/architecture.md; scripts/check_layers.py holds the #include lines to the same table.
 #
-#   aktina_room(NAME scene USES base illumination image texture LINKS assimp)
+#   aktina_room(NAME scene USES base illumination image texture LINKS draco::draco)
 #
 # compiles every .cpp below the folder that is not in a sub-room of its own.
 function(aktina_room)

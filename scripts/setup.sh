@@ -7,14 +7,14 @@ packages=(
   # build
   g++ cmake ninja-build make git ca-certificates pkg-config
   # core libraries
-  libembree-dev libtbb-dev libhwy-dev libglm-dev libeigen3-dev
-  libtinygltf-dev libassimp-dev libdraco-dev libmeshoptimizer-dev
-  libopenexr-dev libspng-dev libturbojpeg0-dev libwebp-dev libhdf5-dev
+  libembree-dev libtbb-dev libhwy-dev libglm-dev
+  libdraco-dev libmeshoptimizer-dev
+  libopenexr-dev libspng-dev libturbojpeg0-dev libwebp-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
   # Python module
   python3 python3-dev python3-numpy pybind11-dev python3-pytest mypy
   # tests, benchmarks, style
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
+  libgtest-dev libgmock-dev librapidcheck-dev
   clang clang-format clang-tidy libclang-rt-14-dev
   # the comparison against Mesa in `make bench`, and graphics hardware
   libegl-dev libepoxy-dev libgl1-mesa-dri libegl-mesa0

@@ -192,7 +192,7 @@ def load_solution(path, scene):
 
 
 def load(path):
-    """A Scene from a file: glTF 2.0, OBJ, PLY, STL and what else Assimp reads.
+    """A Scene from a file: glTF 2.0, OBJ, PLY, STL, OFF.
 
     Raises FileError, BadInput, LimitExceeded, Unsupported.
 

@@ -30,8 +30,5 @@ Scene read_obj(std::span<const uint8_t> bytes, const Path& folder, const std::st
 Scene read_ply(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_stl(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_off(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
-/// FBX, DAE, 3DS: refused as unsupported.
-Scene read_assimp(std::span<const uint8_t> bytes, const std::string& extension, const Path& folder,
-                  const std::string& where, const ImportOptions& options = {});
 
 }  // namespace aktina

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "aktina/base/error.h"
 #include "aktina/import/gltf/container.h"
 #include "aktina/import/import.h"
 
@@ -36,7 +37,8 @@ Scene load_scene(const Path& path, const ImportOptions& options) {
   if (extension == "obj") return read_obj(bytes, path.parent_path(), where, options);
   if (extension == "off" || is_off(bytes)) return read_off(bytes, where, options);
   if (extension == "stl" || starts_with(bytes, "solid")) return read_stl(bytes, where, options);
-  return read_assimp(bytes, extension, path.parent_path(), where, options);
+  throw Error(Code::unsupported, where, "scene files with the extension '" + extension + "' are not read",
+              "use .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
 }  // namespace aktina

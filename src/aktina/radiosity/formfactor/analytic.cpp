@@ -30,14 +30,7 @@ class Analytic final : public FormFactorMethod {
     return row;
   }
 
-  FormFactorRow row(Point3d x, Vec3d n) const override {
-    n = checked_normal(x, n);
-    FormFactorRow row;
-    for (size_t j = 0; j < faces_.size(); ++j)
-      row.factors.push_back(point_to_polygon(x, n, faces_[j], faces_.blockers(j)));
-    row.errors.assign(faces_.size(), 1e-14);
-    return row;
-  }
+  FormFactorRow row(Point3d x, Vec3d n) const override { return point_to_polygons(x, n, faces_); }
 
  private:
   /// The receiver is cut by the plane of the source, so that the integrand does not end within a piece.

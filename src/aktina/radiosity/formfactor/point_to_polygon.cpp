@@ -64,4 +64,12 @@ double point_to_polygon(Point3d x, Vec3d n, const Face& face, std::span<const Fa
   return std::clamp(visible_part(x, n, face, occluders).visible, 0.0, unoccluded);
 }
 
+FormFactorRow point_to_polygons(Point3d x, Vec3d n, const Faces& faces) {
+  n = checked_normal(x, n);
+  FormFactorRow row;
+  for (size_t j = 0; j < faces.size(); ++j) row.factors.push_back(point_to_polygon(x, n, faces[j], faces.blockers(j)));
+  row.errors.assign(faces.size(), 1e-14);
+  return row;
+}
+
 }  // namespace aktina

@@ -1,7 +1,7 @@
 // Form factors from a differential area to polygons, in closed form.
 #pragma once
 
-#include "aktina/radiosity/formfactor/face.h"
+#include "aktina/radiosity/formfactor/faces.h"
 
 namespace aktina {
 
@@ -24,5 +24,8 @@ double point_to_polygon(Point3d x, Vec3d n, const Face& face);
 
 /// The same past occluders, which hide on both sides: what they shade is cut away from the face exactly.
 double point_to_polygon(Point3d x, Vec3d n, const Face& face, std::span<const Face* const> occluders);
+
+/// To each surface of a scene. @throws Error as checked_normal()
+FormFactorRow point_to_polygons(Point3d x, Vec3d n, const Faces& faces);
 
 }  // namespace aktina

@@ -9,23 +9,6 @@
 namespace aktina {
 namespace {
 
-class CubicShading final : public ShadingMethod {
- public:
-  explicit CubicShading(bool perspective) : perspective_(perspective) {}
-
-  ShadingPlan plan(const Illuminator&) const override {
-    return {.degree = 3,
-            .perspective = perspective_,
-            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal | ShadingPlan::kRadiance | ShadingPlan::kScreen};
-  }
-  void prepare(const TriangleGroup& t, const Illuminator& light, const Samples& out) const override {
-    light_lattice(t, light, plan(light), out);
-  }
-
- private:
-  bool perspective_;
-};
-
 constexpr Param kParams[] = {
     {"perspective", "1", "1: cubic on the surface; 0: cubic on the screen, as published", 0, 0, 1, true}};
 
@@ -34,8 +17,6 @@ constexpr Param kParams[] = {
 extern constinit const ShadingRow cubic_shading = {
     {"cubic", "Cubic shading", "vlasic2002",
      "A cubic through ten lit samples; hardly better than nine Gouraud triangles of the same cost.", kParams},
-    [](const ParamSet& p) -> std::unique_ptr<ShadingMethod> {
-      return std::make_unique<CubicShading>(p["perspective"] != 0);
-    }};
+    [](const ParamSet& p) -> std::unique_ptr<ShadingMethod> { return polynomial_shading(3, p["perspective"] != 0); }};
 
 }  // namespace aktina

@@ -8,8 +8,9 @@ namespace aktina {
 /// Normal in the middle of an edge from p0 to p1 whose ends have unit normals n0 and n1; of any length.
 using EdgeNormal = Vec3 (*)(Vec3 n0, Vec3 n1, Vec3 edge);
 
-/// Corners' normals and those of the edges' middles, as samples of a quadratic in channels 0 to 2.
-/// @pre  plan.needs holds kPosition and kNormal
-void sample_edge_normals(const TriangleGroup& triangles, EdgeNormal middle, const Samples& out);
+/// Interpolates normals as the quadratic through those of the corners and of the edges' middles, perspective-correct,
+/// and evaluates the illumination model at each pixel.
+/// @param unit  they are near enough to unit length to be used as they are; else they are made unit again
+std::unique_ptr<ShadingMethod> edge_normal_shading(EdgeNormal middle, bool unit);
 
 }  // namespace aktina

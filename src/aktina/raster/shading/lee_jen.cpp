@@ -16,29 +16,11 @@ Vec3 middle(Vec3 n0, Vec3 n1, Vec3 edge) {
   return normalize_or(e2 > 0 ? 0.75f * sum - edge * (dot(edge, sum) / e2) : sum, n0);
 }
 
-class LeeJenShading final : public ShadingMethod {
- public:
-  ShadingPlan plan(const Illuminator&) const override {
-    return {.kind = ShadingPlan::Kind::attributes,
-            .degree = 2,
-            .perspective = true,
-            .channels = 3,
-            .normal = true,
-            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal};
-  }
-  void prepare(const TriangleGroup& t, const Illuminator&, const Samples& out) const override {
-    sample_edge_normals(t, middle, out);
-  }
-  void shade(const Fragments& f, const Illuminator& light, const LitArrays& out) const override {
-    light.evaluate(f.points(f.channel), out);
-  }
-};
-
 }  // namespace
 
 extern constinit const ShadingRow lee_jen_shading = {
     {"lee_jen", "Lee and Jen's biquadratic normals", "lee2001",
      "Quadratic normals that serve arcs and S-shaped edges; little dearer than Phong."},
-    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return std::make_unique<LeeJenShading>(); }};
+    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return edge_normal_shading(middle, false); }};
 
 }  // namespace aktina

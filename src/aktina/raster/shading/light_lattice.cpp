@@ -17,4 +17,30 @@ void light_lattice(const TriangleGroup& t, const Illuminator& light, const Shadi
   }
 }
 
+namespace {
+
+class PolynomialShading final : public ShadingMethod {
+ public:
+  PolynomialShading(int degree, bool perspective) : degree_(degree), perspective_(perspective) {}
+
+  ShadingPlan plan(const Illuminator&) const override {
+    return {.degree = degree_,
+            .perspective = perspective_,
+            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal | ShadingPlan::kRadiance | ShadingPlan::kScreen};
+  }
+  void prepare(const TriangleGroup& t, const Illuminator& light, const Samples& out) const override {
+    light_lattice(t, light, plan(light), out);
+  }
+
+ private:
+  int degree_;
+  bool perspective_;
+};
+
+}  // namespace
+
+std::unique_ptr<ShadingMethod> polynomial_shading(int degree, bool perspective) {
+  return std::make_unique<PolynomialShading>(degree, perspective);
+}
+
 }  // namespace aktina

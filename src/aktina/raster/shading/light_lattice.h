@@ -11,4 +11,7 @@ namespace aktina {
 void light_lattice(const TriangleGroup& triangles, const Illuminator& light, const ShadingPlan& plan,
                    const Samples& out);
 
+/// A method that is nothing but that: a polynomial of the given degree through lit points.
+std::unique_ptr<ShadingMethod> polynomial_shading(int degree, bool perspective);
+
 }  // namespace aktina

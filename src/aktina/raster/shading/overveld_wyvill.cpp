@@ -19,29 +19,11 @@ Vec3 middle(Vec3 n0, Vec3 n1, Vec3 edge) {
   return 0.25f * sum + 0.5f * mirrored;
 }
 
-class OverveldWyvillShading final : public ShadingMethod {
- public:
-  ShadingPlan plan(const Illuminator&) const override {
-    return {.kind = ShadingPlan::Kind::attributes,
-            .degree = 2,
-            .perspective = true,
-            .channels = 3,
-            .normal = true,
-            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal};
-  }
-  void prepare(const TriangleGroup& t, const Illuminator&, const Samples& out) const override {
-    sample_edge_normals(t, middle, out);
-  }
-  void shade(const Fragments& f, const Illuminator& light, const LitArrays& out) const override {
-    light.evaluate(f.points(f.channel), out);
-  }
-};
-
 }  // namespace
 
 extern constinit const ShadingRow overveld_wyvill_shading = {
     {"overveld_wyvill", "van Overveld and Wyvill's quadratic normals", "overveld1997",
      "Normals that follow S-shaped edges; plain arcs get worse than by Phong."},
-    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return std::make_unique<OverveldWyvillShading>(); }};
+    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return edge_normal_shading(middle, false); }};
 
 }  // namespace aktina

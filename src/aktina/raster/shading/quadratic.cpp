@@ -11,23 +11,6 @@
 namespace aktina {
 namespace {
 
-class QuadraticShading final : public ShadingMethod {
- public:
-  explicit QuadraticShading(bool perspective) : perspective_(perspective) {}
-
-  ShadingPlan plan(const Illuminator&) const override {
-    return {.degree = 2,
-            .perspective = perspective_,
-            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal | ShadingPlan::kRadiance | ShadingPlan::kScreen};
-  }
-  void prepare(const TriangleGroup& t, const Illuminator& light, const Samples& out) const override {
-    light_lattice(t, light, plan(light), out);
-  }
-
- private:
-  bool perspective_;
-};
-
 constexpr Param kParams[] = {
     {"perspective", "1", "1: quadratic on the surface; 0: quadratic on the screen, as published", 0, 0, 1, true}};
 
@@ -36,8 +19,6 @@ constexpr Param kParams[] = {
 extern constinit const ShadingRow quadratic_shading = {
     {"quadratic", "Quadratic shading", "szirmay2000",
      "A quadratic through six lit samples; shows highlights inside of a triangle that are not too sharp.", kParams},
-    [](const ParamSet& p) -> std::unique_ptr<ShadingMethod> {
-      return std::make_unique<QuadraticShading>(p["perspective"] != 0);
-    }};
+    [](const ParamSet& p) -> std::unique_ptr<ShadingMethod> { return polynomial_shading(2, p["perspective"] != 0); }};
 
 }  // namespace aktina

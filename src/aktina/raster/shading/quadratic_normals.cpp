@@ -12,31 +12,11 @@ namespace {
 
 Vec3 bisector(Vec3 n0, Vec3 n1, Vec3 /*edge*/) { return normalize_or(n0 + n1, n0); }
 
-class QuadraticNormalsShading final : public ShadingMethod {
- public:
-  ShadingPlan plan(const Illuminator&) const override {
-    return {.kind = ShadingPlan::Kind::attributes,
-            .degree = 2,
-            .perspective = true,
-            .channels = 3,
-            .normal = true,
-            .needs = ShadingPlan::kPosition | ShadingPlan::kNormal};
-  }
-  void prepare(const TriangleGroup& t, const Illuminator&, const Samples& out) const override {
-    sample_edge_normals(t, bisector, out);
-  }
-  void shade(const Fragments& f, const Illuminator& light, const LitArrays& out) const override {
-    PointArrays points = f.points(f.channel);
-    points.unit_normals = true;
-    light.evaluate(points, out);
-  }
-};
-
 }  // namespace
 
 extern constinit const ShadingRow quadratic_normals_shading = {
     {"quadratic_normals", "Quadratic normals without renormalisation", "szirmay2000",
      "Normals that need no square root a pixel; their length is off by 0.2 % over a turn of 60 degrees."},
-    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return std::make_unique<QuadraticNormalsShading>(); }};
+    [](const ParamSet&) -> std::unique_ptr<ShadingMethod> { return edge_normal_shading(bisector, true); }};
 
 }  // namespace aktina

@@ -8,18 +8,6 @@
 namespace aktina {
 namespace {
 
-class DirectIntegrator final : public Integrator {
- public:
-  explicit DirectIntegrator(const PathRules& rules) : tracer_(rules) {}
-  void radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,
-                std::span<RadianceEstimate> out, RayCounts& counts) const override {
-    tracer_.radiance(scene, queries, coherent, out, counts);
-  }
-
- private:
-  PathTracer tracer_;
-};
-
 constexpr Param kParams[] = {
     {"depth", "1", "bounces in all, mirrors and clear glass included", 8, 1, 65535, true},
     {"strategy", "1", "0: lamps and scattering joined, 1: lamps alone, 2: scattering alone", 0, 0, 2, true},
@@ -36,7 +24,7 @@ extern constinit const Method<std::unique_ptr<Integrator>> direct_integrator = {
       rules.most_bounces = int(p["depth"]);
       rules.matt_bounces = 1;
       rules.strategy = LightStrategy(int(p["strategy"]));
-      return std::make_unique<DirectIntegrator>(rules);
+      return integrator_by_paths(rules);
     }};
 
 }  // namespace aktina

@@ -10,18 +10,6 @@
 namespace aktina {
 namespace {
 
-class PathIntegrator final : public Integrator {
- public:
-  explicit PathIntegrator(const PathRules& rules) : tracer_(rules) {}
-  void radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,
-                std::span<RadianceEstimate> out, RayCounts& counts) const override {
-    tracer_.radiance(scene, queries, coherent, out, counts);
-  }
-
- private:
-  PathTracer tracer_;
-};
-
 constexpr Param kParams[] = {
     {"depth", "1", "bounces a path may have", 64, 0, 65535, true},
     {"roulette", "1", "bounces after which a path may end by chance", 3, 0, 65535, true},
@@ -38,7 +26,7 @@ extern constinit const Method<std::unique_ptr<Integrator>> path_integrator = {
       PathRules rules;
       rules.most_bounces = rules.matt_bounces = int(p["depth"]);
       rules.roulette = int(p["roulette"]);
-      return std::make_unique<PathIntegrator>(rules);
+      return integrator_by_paths(rules);
     }};
 
 }  // namespace aktina

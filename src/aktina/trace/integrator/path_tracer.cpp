@@ -175,4 +175,24 @@ void PathTracer::radiance(const RayScene& scene, std::span<const RadianceQuery> 
   }
 }
 
+namespace {
+
+class PathIntegrator final : public Integrator {
+ public:
+  explicit PathIntegrator(const PathRules& rules) : tracer_(rules) {}
+  void radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,
+                std::span<RadianceEstimate> out, RayCounts& counts) const override {
+    tracer_.radiance(scene, queries, coherent, out, counts);
+  }
+
+ private:
+  PathTracer tracer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> integrator_by_paths(const PathRules& rules) {
+  return std::make_unique<PathIntegrator>(rules);
+}
+
 }  // namespace aktina

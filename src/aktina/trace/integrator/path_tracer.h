@@ -37,4 +37,6 @@ class PathTracer {
   PathRules rules_;
 };
 
+std::unique_ptr<Integrator> integrator_by_paths(const PathRules& rules);
+
 }  // namespace aktina
