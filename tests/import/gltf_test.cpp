@@ -186,16 +186,19 @@ TEST(Gltf, EveryFileOfOthersIsReadOrRefused) {
     const std::string extension = lower_extension(entry.path());
     if (extension != "gltf" && extension != "glb") continue;
     bool loaded = true, warned = false;
+    std::string why;
     try {
       warned = !load_scene(entry.path(), {.default_camera = false, .default_light = false}).warnings.empty();
-    } catch (const Error&) {
+    } catch (const Error& error) {
       loaded = false;
+      if (error.code() != Code::unsupported) why = error.what();
     }
     (loaded ? read_well : refused) += 1;
     Path report = entry.path();
     report += ".report.json";
     if (!std::filesystem::exists(report)) continue;
     const auto errors = Json::parse(read_text_file(report))["issues"]["numErrors"].get<int>();
+    EXPECT_TRUE(errors > 0 || why.empty()) << entry.path() << ": valid, and refused: " << why;
     EXPECT_TRUE(errors == 0 || !loaded || warned) << entry.path() << ": broken, and read without a word";
   }
   EXPECT_GT(read_well, refused);
