@@ -23,12 +23,22 @@ struct ShadeBatch {
   alignas(64) float albedo[3][kPixels], normal[3][kPixels];
 };
 
+/// Visible pixels of methods on spans: names of records, and what they show. In blocks, as the visibility buffer.
+struct SpanBuffers {
+  LineArray<uint32_t> blended;                       // who shades a pixel of a surface that is seen through
+  LineArray<float> diffuse[3], specular[3];          // of textured and blended pipelines, until textures have their say
+  std::vector<Span> spans;                           // that wait to be shaded,
+  LineArray<float> lit_diffuse[3], lit_specular[3];  // and where they are: one after the other
+  size_t used = 0;
+};
+
 struct RasterBand {
   VisibilityBuffer visible;
   LineArray<float> colour[3], albedo[3], normal[3];  // albedo and normal: only where layers ask for them
   bool surface_layers = false;
   bool names = false;  // some pipeline of the frame is deferred: `seen` is kept
   ShadeBatch batch;
+  SpanBuffers on_spans;
   std::vector<std::pair<uint32_t, float>> blended;  // names and depths
 };
 
@@ -60,6 +70,11 @@ struct Background {
 /// front.
 void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band);
 void shade_opaque(const RasterFrame& frame, RasterBand& band);
+/// Lights the pixels of pipelines on spans: colour is written where they are plain, and nobody into `seen`; else what
+/// is lit waits in band.on_spans for its textures.
+void shade_spans(const RasterFrame& frame, int index, RasterBand& band);
+/// The same for one triangle, where `seen` names it.
+void shade_spans_of(const RasterFrame& frame, uint32_t name, uint32_t* seen, RasterBand& band);
 void fill_background(const RasterFrame& frame, const Background& background, RasterBand& band);
 void draw_blended(const RasterFrame& frame, int index, RasterBand& band);
 

@@ -11,7 +11,7 @@ namespace {
 class ChunkBuilder {
  public:
   ChunkBuilder(const RasterFrame& frame, TriangleChunk& chunk) : frame_(frame), chunk_(chunk) {
-    chunk_.count = 0;
+    chunk_.count = 0, chunk_.group_count = 0;
     chunk_.runs.clear();
     chunk_.bands.resize(size_t(frame.bands())), chunk_.blended.resize(size_t(frame.bands()));
     for (auto& band : chunk_.bands) band.clear();
@@ -45,6 +45,7 @@ class ChunkBuilder {
       write_planes(pipeline.layout, corners, planes, frame_.view.perspective(), samples_,
                    chunk_.planes.data() + chunk_.count * frame_.stride(), frame_.stride());
     }
+    if (pipeline.spans()) keep_group(pipeline, corners);
     for (int i = 0; i < corners.count; ++i) sort_in(pipeline, corners, size_t(i));
     chunk_.count += uint32_t(corners.count);
   }
@@ -60,10 +61,16 @@ class ChunkBuilder {
           if (both || corners.side[i] > 0) samples(point, k)[i] += pipeline.emission[k];
   }
 
+  void keep_group(const Pipeline& pipeline, const CornerGroup& corners) {
+    if (chunk_.groups.size() == chunk_.group_count) chunk_.groups.emplace_back();
+    fill_group(frame_, pipeline, corners, chunk_.groups[chunk_.group_count++]);
+  }
+
   void sort_in(const Pipeline& pipeline, const CornerGroup& corners, size_t i) {
     const uint32_t record = chunk_.count + uint32_t(i);
     const TriangleRecord& r = chunk_.records[record];
-    chunk_.sources[record] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0};
+    chunk_.sources[record] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0, uint8_t(i),
+                              chunk_.group_count - 1};
     const uint32_t first = r.first_y / uint32_t(kBandRows), last = r.last_y / uint32_t(kBandRows);
     if (pipeline.blended()) {
       const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;

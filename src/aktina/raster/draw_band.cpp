@@ -6,11 +6,19 @@
 namespace aktina {
 namespace {
 
+void clear_spans(const RasterFrame& frame, size_t size, SpanBuffers& out) {
+  for (int k = 0; k < 3; ++k) out.diffuse[k].resize(size), out.specular[k].resize(size);
+  if (!frame.pipelines.any_blended) return;
+  out.blended.resize(size);
+  std::fill_n(out.blended.data(), size, kNobody);
+}
+
 void clear(const RasterFrame& frame, int index, Rgb background, RasterBand& band) {
   const int first = index * kBandRows;
   band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
                      frame.view.farthest());
   const size_t size = band.visible.layout.blocks() * kLanes;
+  if (frame.pipelines.any_spans) clear_spans(frame, size, band.on_spans);
   for (int k = 0; k < 3; ++k) {
     band.colour[k].resize(size);
     std::fill_n(band.colour[k].data(), size, background[k]);
@@ -67,6 +75,7 @@ void draw_band(const RasterFrame& frame, int index, const Background& background
   band.names = frame.pipelines.any_deferred;
   clear(frame, index, background.uniform, band);
   draw_opaque(frame, index, band);
+  if (frame.pipelines.any_spans) shade_spans(frame, index, band);
   if (band.names) shade_opaque(frame, band);
   if (background.varies) fill_background(frame, background, band);
   if (frame.pipelines.any_blended) draw_blended(frame, index, band);

@@ -26,7 +26,7 @@ void light_side(const DrawList& list, const Pipeline& pipeline, uint32_t begin, 
     const size_t count = std::min<size_t>(kPiece, end - first);
     for (int k = 0; k < 3; ++k)
       for (size_t i = 0; i < padded(count); ++i) normal[k][i] = side * list.normal(k)[first + i];
-    const bool apart = pipeline.layout.channels == 6;
+    const bool apart = pipeline.radiance_channels() == 6;
     float* d[3];
     float* s[3];
     for (int k = 0; k < 3; ++k) d[k] = out[k].data() + first, s[k] = apart ? out[3 + k].data() + first : specular[k];
@@ -43,7 +43,8 @@ void light_side(const DrawList& list, const Pipeline& pipeline, uint32_t begin, 
 
 void light_vertices(const DrawList& list, const DrawPart& part, const Pipeline& pipeline, uint32_t begin, uint32_t end,
                     VertexRadiance& out) {
-  if (!(pipeline.plan.needs & ShadingPlan::kRadiance) || pipeline.layout.channels == 0) return;
+  if (!(pipeline.plan.needs & ShadingPlan::kRadiance)) return;
+  if (pipeline.layout.channels == 0 && !pipeline.spans()) return;
   if (!pipeline.lit) return copy_colours(part, pipeline, begin, end, out);
   light_side(list, pipeline, begin, end, 1, out.front);
   if (!pipeline.cull) light_side(list, pipeline, begin, end, -1, out.back);

@@ -28,6 +28,7 @@ Pipeline::Pipeline(const PipelineSettings& settings, const Material& m, bool has
   layout.degree = plan.degree, layout.perspective = plan.perspective, layout.surface = textured;
   layout.channels = colour ? (textured ? (lit ? 6 : 0) : 3) : plan.channels;
   immediate = colour && !textured;
+  if (spans()) plan.needs |= ShadingPlan::kScreen;  // where they begin and end
 }
 
 Pipelines::Pipelines(const PipelineSettings& settings, const DrawList& list, const Viewer& viewer) {
@@ -42,6 +43,7 @@ Pipelines::Pipelines(const PipelineSettings& settings, const DrawList& list, con
     lines = std::max(lines, p.layout.lines());
     any_deferred = any_deferred || !p.immediate;
     any_blended = any_blended || p.blended();
+    any_spans = any_spans || p.spans();
     any_radiance = any_radiance || (p.plan.needs & ShadingPlan::kRadiance);
   }
 }

@@ -34,6 +34,9 @@ struct Pipeline {
   bool cull;
   Rgb emission;  // of one that is not textured
 
+  /// Of TriangleGroup::radiance.
+  int radiance_channels() const { return spans() || layout.channels == 6 ? 6 : 3; }
+  bool spans() const { return plan.kind == ShadingPlan::Kind::spans; }
   bool blended() const { return material->alpha_mode == AlphaMode::blend; }
   bool masked() const { return material->alpha_mode == AlphaMode::mask; }
   bool emits_on(bool front) const { return front || material->double_sided || material->unlit; }
@@ -44,7 +47,7 @@ struct Pipelines {
   std::vector<Pipeline> all;
   std::vector<uint32_t> of_part;
   size_t lines = 0;  // of planes a triangle has at most
-  bool any_deferred = false, any_blended = false, any_radiance = false;
+  bool any_deferred = false, any_blended = false, any_radiance = false, any_spans = false;
 
   Pipelines(const PipelineSettings& settings, const DrawList& list, const Viewer& viewer);
 };

@@ -19,6 +19,8 @@ struct RecordSource {
   uint32_t triangle;
   uint16_t pipeline;
   bool front;
+  uint8_t lane;    // of methods on spans: its place in
+  uint32_t group;  // TriangleChunk::groups
 };
 
 /// Triangles that were set up together, and in which bands they are.
@@ -35,6 +37,8 @@ struct TriangleChunk {
   std::vector<TriangleRecord> records;
   std::vector<RecordSource> sources;
   LineArray<float> planes;
+  uint32_t group_count = 0;
+  std::vector<TriangleGroup> groups;  // of pipelines on spans
   std::vector<Run> runs;
   std::vector<std::vector<uint32_t>> bands;   // records, ascending
   std::vector<std::vector<Blended>> blended;  // by band

@@ -28,9 +28,8 @@ PipelineSettings settings_of(const Scene& scene, const RasterOptions& options) {
   s.unlit = make_method(shading_methods(), "shading", "gouraud:perspective=1");
   s.model = make_method(illumination_models(), "illumination", options.illumination);
   s.lights = scene_lights(scene);
-  const Illuminator any(s.model, Surface(), s.lights.lights, s.lights.ambient, Viewer());
-  if (s.method->plan(any).kind == ShadingPlan::Kind::spans)
-    throw Error(Code::unsupported, "raster.shading", "got " + options.shading, "a method that does not work on spans");
+  // Here already: a method says what it cannot do.
+  s.method->plan(Illuminator(s.model, Surface(), s.lights.lights, s.lights.ambient, Viewer()));
   s.cull = options.cull_back_faces;
   s.surface_layers = options.albedo || options.normal;
   return s;

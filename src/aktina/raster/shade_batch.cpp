@@ -7,7 +7,27 @@
 namespace aktina {
 namespace {
 
-void light(const Pipeline& pipeline, ShadeBatch& b) {
+/// What shade_spans() left of the pixels of a batch.
+void fetch_spans(const RasterBand& band, ShadeBatch& b) {
+  for (size_t block = 0; block < b.blocks; ++block) {
+    const size_t from = band.visible.layout.offset(b.x[block], b.y[block]), to = block * kLanes;
+    for (int k = 0; k < 3; ++k) {
+      std::copy_n(band.on_spans.diffuse[k].data() + from, kLanes, b.diffuse[k] + to);
+      std::copy_n(band.on_spans.specular[k].data() + from, kLanes, b.specular[k] + to);
+    }
+  }
+}
+
+void fetch_colour(const Pipeline& pipeline, ShadeBatch& b) {
+  for (int k = 0; k < 3; ++k)
+    for (size_t i = 0; i < b.blocks * kLanes; ++i) {
+      b.diffuse[k][i] = pipeline.lit ? std::max(b.channel[k][i], 0.0f) : 0;  // polynomials swing below zero
+      b.specular[k][i] = pipeline.lit ? std::max(b.channel[3 + k][i], 0.0f) : 0;
+    }
+}
+
+void light(const Pipeline& pipeline, RasterBand& band) {
+  ShadeBatch& b = band.batch;
   const size_t count = b.blocks * kLanes;
   const LitArrays out{{b.diffuse[0], b.diffuse[1], b.diffuse[2]}, {b.specular[0], b.specular[1], b.specular[2]}};
   if (pipeline.lit && pipeline.plan.kind == ShadingPlan::Kind::attributes) {
@@ -20,11 +40,11 @@ void light(const Pipeline& pipeline, ShadeBatch& b) {
     pipeline.method->shade(fragments, pipeline.light, out);
     return;
   }
-  for (int k = 0; k < 3; ++k)
-    for (size_t i = 0; i < count; ++i) {
-      b.diffuse[k][i] = pipeline.lit ? std::max(b.channel[k][i], 0.0f) : 0;  // polynomials swing below zero
-      b.specular[k][i] = pipeline.lit ? std::max(b.channel[3 + k][i], 0.0f) : 0;
-    }
+  if (pipeline.spans()) {
+    fetch_spans(band, b);
+  } else {
+    fetch_colour(pipeline, b);
+  }
   if (!pipeline.lit) return;
   for (int k = 0; k < 3; ++k) {  // the base texture multiplies what was lit without it
     const float kd = pipeline.light.surface().kd[k];
@@ -72,7 +92,7 @@ void flush(const RasterFrame& frame, RasterBand& band) {
   } else {
     emit_plain(frame, pipeline, b);
   }
-  light(pipeline, b);
+  light(pipeline, band);
   write(pipeline, b, band);
   b.blocks = 0;
 }
@@ -112,6 +132,15 @@ void shade_block(const RasterFrame& frame, int x, int y, RasterBand& band) {
   }
 }
 
+void shade_blended_spans(const RasterFrame& frame, uint32_t name, RasterBand& band) {
+  uint32_t* const who = band.on_spans.blended.data();
+  visit_nearer(frame.record(name), band.visible, [&](int x, int y, uint32_t bits, const float*) {
+    uint32_t* block = who + band.visible.layout.offset(x, y);
+    for (; bits != 0; bits &= bits - 1) block[std::countr_zero(bits)] = name;
+  });
+  shade_spans_of(frame, name, who, band);
+}
+
 }  // namespace
 
 void shade_opaque(const RasterFrame& frame, RasterBand& band) {
@@ -128,12 +157,16 @@ void draw_blended(const RasterFrame& frame, int index, RasterBand& band) {
       band.blended.emplace_back(c << kChunkBits | b.record, b.depth);
   std::stable_sort(band.blended.begin(), band.blended.end(),
                    [](const auto& a, const auto& b) { return a.second < b.second; });  // farthest first
-  for (const auto& [name, depth] : band.blended)
+  for (const auto& [name, depth] : band.blended) {
+    const bool spans = frame.pipelines.all[frame.source(name).pipeline].spans();
+    if (spans) shade_blended_spans(frame, name, band);
     visit_nearer(frame.record(name), band.visible, [&, who = name](int x, int y, uint32_t bits, const float* z) {
       const size_t first = add_block(frame, frame.source(who).pipeline, x, y, band);
       std::copy_n(z, kLanes, band.batch.depth + first);
       for (size_t i = 0; i < kLanes; ++i) band.batch.seen[first + i] = bits >> i & 1 ? who : kNobody;
     });
+    if (spans) flush(frame, band);  // before another's light takes the place of this one's
+  }
   flush(frame, band);
 }
 

@@ -86,7 +86,7 @@ void fill_group(const RasterFrame& frame, const Pipeline& pipeline, const Corner
   const unsigned needs = pipeline.plan.needs;
   const bool bent = c.clipped && pipeline.lit && pipeline.plan.degree >= 2 && (needs & ShadingPlan::kRadiance);
   out.count = c.count;
-  out.channels = pipeline.layout.channels == 6 ? 6 : 3;
+  out.channels = pipeline.radiance_channels();
   if (bent || (needs & ShadingPlan::kPosition)) fill_positions(frame.list, c, out);
   if (bent || (needs & ShadingPlan::kNormal)) fill_normals(frame.list, c, out);
   if (needs & ShadingPlan::kFaceNormal) fill_face_normals(frame.list, c, out);

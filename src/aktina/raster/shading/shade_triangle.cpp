@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "aktina/base/error.h"
+#include "aktina/raster/shading/span.h"
 
 namespace aktina {
 namespace {
@@ -93,29 +94,13 @@ std::vector<Lit> shade_polynomial(const ShadingMethod& method, const ShadingPlan
   return result;
 }
 
-/// Where the horizontal through a point meets the triangle's edges.
-Span span_through(const ShadedTriangle& t, Vec2 at) {
-  Span span{};
-  span.left.x = kInfinity, span.right.x = -kInfinity;
-  for (int from = 0; from < 3; ++from) {
-    const int to = (from + 1) % 3;
-    const Vec2 a = t.screen[from], b = t.screen[to];
-    if (a.y == b.y) continue;
-    const float along = (at.y - a.y) / (b.y - a.y);
-    if (along < -1e-5f || along > 1 + 1e-5f) continue;
-    const Span::End end{from, to, std::clamp(along, 0.0f, 1.0f), a.x + along * (b.x - a.x)};
-    if (end.x < span.left.x) span.left = end;
-    if (end.x > span.right.x) span.right = end;
-  }
-  span.count = 1, span.y = at.y;
-  return span;
-}
-
 /// The method asks for pixels at whole numbers and a half: the screen is moved until the point is one.
 Lit shade_on_span(const ShadingMethod& method, const Illuminator& light, ShadedTriangle triangle, Vec3 barycentric) {
   const Vec2 shift = Vec2(0.5f, 0.5f) - mix(triangle.screen, barycentric);
   for (Vec2& corner : triangle.screen) corner += shift;
-  const Span span = span_through(triangle, {0.5f, 0.5f});
+  const auto [top, bottom] = std::minmax({triangle.screen[0].y, triangle.screen[1].y, triangle.screen[2].y});
+  Span span = span_at(triangle.screen, std::clamp(0.5f, top, bottom));
+  span.count = 1;
   if (!(span.right.x > -kInfinity))
     throw Error(Code::bad_param, "shading.screen", "the triangle has no area on the screen");
   const Points out(1);

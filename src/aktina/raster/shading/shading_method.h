@@ -84,7 +84,7 @@ struct Fragments {
   }
 };
 
-/// One scanline of one triangle.
+/// One scanline of one triangle, or as much of it as is seen.
 struct Span {
   /// Where the scanline's centre meets an edge: (1 - t) times vertex `from` plus t times vertex `to`, on the screen.
   struct End {
@@ -94,7 +94,7 @@ struct Span {
   End left, right;
   int first, count;  // pixels, whose centres lie at first + 0.5 ...
   float y;           // px
-  size_t output;     // index of the first pixel in the arrays that shade_spans writes
+  size_t output;     // index of the first pixel in the arrays that shade_spans writes: a multiple of kLanes
 };
 
 class ShadingMethod {
@@ -107,7 +107,8 @@ class ShadingMethod {
   virtual void prepare(const TriangleGroup& triangles, const Illuminator& light, const Samples& out) const;
   /// Kind attributes: lights fragments.
   virtual void shade(const Fragments& fragments, const Illuminator& light, const LitArrays& out) const;
-  /// Kind spans: lights the spans of triangle `lane` of a group.
+  /// Kind spans: lights the spans of triangle `lane` of a group, whose radiance has six channels. Each span's arrays
+  /// are padded to a multiple of kLanes, padding is written too; without textures, which come after.
   virtual void shade_spans(const TriangleGroup& triangles, int lane, std::span<const Span> spans,
                            const Illuminator& light, const LitArrays& out) const;
 };

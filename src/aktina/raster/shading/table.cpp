@@ -4,7 +4,8 @@
 namespace aktina {
 
 extern const ShadingRow flat_shading, gouraud_shading, phong_shading, quadratic_normals_shading,
-    overveld_wyvill_shading, lee_jen_shading, quadratic_shading, seiler_shading, cubic_shading, hybrid_shading;
+    overveld_wyvill_shading, lee_jen_shading, quadratic_shading, seiler_shading, cubic_shading, hybrid_shading,
+    fence_shading;
 
 std::span<const ShadingRow* const> shading_methods() {
   static constexpr const ShadingRow* kTable[] = {&flat_shading,
@@ -16,7 +17,8 @@ std::span<const ShadingRow* const> shading_methods() {
                                                  &quadratic_shading,
                                                  &seiler_shading,
                                                  &cubic_shading,
-                                                 &hybrid_shading};
+                                                 &hybrid_shading,
+                                                 &fence_shading};
   return kTable;
 }
 

@@ -1,0 +1,40 @@
+// Spans of triangles on scanlines, and what methods read at their ends.
+#pragma once
+
+#include "aktina/raster/shading/shading_method.h"
+
+namespace aktina {
+
+/// The span of a triangle on the line at y (px): `first`, `count` and `output` are 0. Where the line only touches the
+/// triangle, or does not meet it, left.x > right.x.
+Span span_at(const Vec2 (&screen)[3], float y);
+
+/// Share of vertex `to` at a span's end, on the surface: perspective-correct.
+float share_of(const TriangleGroup& triangles, int lane, const Span::End& end);
+/// There: m, world; and the vertex normals between each other, not unit.
+Point3 position_at(const TriangleGroup& triangles, int lane, const Span::End& end);
+Vec3 normal_at(const TriangleGroup& triangles, int lane, const Span::End& end);
+
+/// Where pixel centres are along a span: t = start + i step for pixel i; within 0 .. 1 where centres are within.
+struct SpanSteps {
+  float start, step;
+  explicit SpanSteps(const Span& span) {
+    const float width = span.right.x - span.left.x;
+    step = width > 0 ? 1 / width : 0;
+    start = (float(span.first) + 0.5f - span.left.x) * step;
+  }
+};
+
+/// Eight spans with their sixteen ends, those of span i at 2 i and 2 i + 1. Ends beyond the last span are copies of it.
+struct SpanEnds {
+  static constexpr size_t kSpans = kLanes / 2;
+  Lanes position[3], normal[3];  // m, world; vertex normals between each other, not unit
+
+  /// @param spans  1 to 8
+  SpanEnds(const TriangleGroup& triangles, int lane, std::span<const Span> spans);
+};
+
+/// Writes what is linear along a span. @param left, right  six channels: diffuse, specular
+void fill_linear(const Span& span, const float (&left)[6], const float (&right)[6], const LitArrays& out);
+
+}  // namespace aktina
