@@ -45,27 +45,60 @@ void lamps() {
   });
 }
 
-void models() {
-  constexpr size_t kPoints = 4096;
-  struct alignas(64) Arrays {
-    float position[3][kPoints], normal[3][kPoints], diffuse[3][kPoints], specular[3][kPoints];
-  };
-  static Arrays a;
-  for (size_t i = 0; i < kPoints; ++i) {
-    const float angle = float(i) * 1e-3f;
-    a.position[0][i] = angle, a.normal[0][i] = std::sin(angle) * 0.5f, a.normal[2][i] = 1;
+struct LitPoints {
+  static constexpr size_t kCount = 4096;
+  alignas(64) float position[3][kCount], normal[3][kCount], diffuse[3][kCount], specular[3][kCount];
+  LitPoints() {
+    for (size_t i = 0; i < kCount; ++i) {
+      const float angle = float(i) * 1e-3f;
+      for (int k = 0; k < 3; ++k) position[k][i] = k == 0 ? angle : 0;
+      const Vec3 n = normalize(Vec3(std::sin(angle) * 0.5f, 0, 1));
+      for (int k = 0; k < 3; ++k) normal[k][i] = n[k];
+    }
   }
-  family("illumination", illumination_models(), "lambert", 5, [](const std::string& method) {
-    const Light lamp = PointLight{{1, 2, 3}, Intensity(Rgb(10)), {}};
-    const Illuminator light(make_method(illumination_models(), "illumination", method),
-                            {.ks = Rgb(0.4f), .exponent = 30}, std::span(&lamp, 1), Rgb(0.1f), {{0, 0, 5}, false});
-    const PointArrays points{
-        kPoints, {a.position[0], a.position[1], a.position[2]}, {a.normal[0], a.normal[1], a.normal[2]}};
-    for (int i = 0; i < 20; ++i)
-      light.evaluate(points,
-                     {{a.diffuse[0], a.diffuse[1], a.diffuse[2]}, {a.specular[0], a.specular[1], a.specular[2]}});
-    sink = a.diffuse[0][7];
+  PointArrays points() const {
+    return {kCount, {position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}};
+  }
+  LitArrays lit() { return {{diffuse[0], diffuse[1], diffuse[2]}, {specular[0], specular[1], specular[2]}}; }
+  Vec3 at(const float (&v)[3][kCount], size_t i) const { return {v[0][i], v[1][i], v[2][i]}; }
+};
+
+Illuminator illuminator(const std::string& method, const Light& lamp) {
+  return {make_method(illumination_models(), "illumination", method),
+          {.ks = Rgb(0.4f), .exponent = 30, .roughness = 0.5f},
+          std::span(&lamp, 1),
+          Rgb(0.1f),
+          {{0, 0, 5}, false}};
+}
+
+/// The readable equation, point by point.
+void light_each(const Illuminator& light, const LitPoints& p) {
+  Rgb sum;
+  for (size_t i = 0; i < LitPoints::kCount; ++i) {
+    const Point3 x = p.at(p.position, i);
+    sum += illuminate(light.model(), light.surface(), light.lights(), light.ambient(), x, p.at(p.normal, i),
+                      light.viewer().towards(x))
+               .total();
+  }
+  sink = sum.g;
+}
+
+void models() {
+  static LitPoints p;
+  const Light lamp = PointLight{{1, 2, 3}, Intensity(Rgb(10)), {}};
+  family("illumination", illumination_models(), "lambert", 5, [&](const std::string& method) {
+    const Illuminator light = illuminator(method, lamp);
+    for (int i = 0; i < 20; ++i) light.evaluate(p.points(), p.lit());
+    sink = p.diffuse[0][7];
   });
+  for (const std::string method :
+       {"constant", "ambient", "lambert", "oren_nayar", "phong", "phong:fresnel=1", "blinn_phong", "schlick",
+        "torrance_sparrow:distribution=0", "torrance_sparrow:distribution=1", "torrance_sparrow:distribution=2",
+        "torrance_sparrow:distribution=3", "cook_torrance", "ward", "ggx"}) {
+    const Illuminator light = illuminator(method, lamp);
+    const auto t = bench::race(5, {[&] { light_each(light, p); }, [&] { light.evaluate(p.points(), p.lit()); }});
+    bench::report("illumination." + method + ".simd", "time of the scalar form over the SIMD form's", t[0] / t[1], "x");
+  }
 }
 
 void vertex_normals() {

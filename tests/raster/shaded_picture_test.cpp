@@ -223,6 +223,25 @@ TEST(ShadedPicture, TexturesAreWhatLookUpSays) {
   }
 }
 
+TEST(ShadedPicture, EveryModelReadsTextures) {
+  Scene scene = textured_square(Filter::nearest);
+  Material& material = scene.materials[0];
+  material.unlit = false, material.metallic = 0.7f, material.roughness = 0.6f;
+  const Vec3 towards = normalize(Vec3(0.3f, 0.2f, 1));
+  scene.lights.push_back({"sun", DirectionalLight{-towards, Irradiance(Rgb(3))}, -1});
+  for (const auto* row : illumination_models()) {
+    const Image p = picture(scene, 44, 44, {.illumination = std::string(row->info.id)});
+    for (int y = 5; y < 44; y += 11)
+      for (int x = 5; x < 44; x += 11) {
+        const Vec2 uv[2] = {{(float(x) + 0.5f) / 44, (float(y) + 0.5f) / 44}, {0, 0}};
+        const Surface s = evaluate(scene, material, uv, Vec4(1)).surface;
+        const Rgb exact =
+            brdf_cosine(row->make(ParamSet(row->info)), s, {0, 0, 1}, towards, {0, 0, 1}).total() * Rgb(3);
+        for (int k = 0; k < 3; ++k) ASSERT_NEAR(p.rgb(x, y)[k], exact[k], 1e-4f) << row->info.id;
+      }
+  }
+}
+
 TEST(ShadedPicture, ABaseTextureMultipliesDiffuseLight) {
   Scene scene = textured_square(Filter::nearest);
   scene.materials[0].unlit = false;

@@ -14,9 +14,6 @@
 #include "aktina/illumination/model.h"
 
 namespace aktina {
-namespace {
-constexpr float kSmallestAlpha = 1e-4f;  // a lobe of a few arc seconds: below it D overflows
-}
 
 float ggx_distribution(float alpha, Vec3 h) {
   if (!(h.z > 0)) return 0;
@@ -60,7 +57,7 @@ Reflectance Ggx::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
   if (cos_i <= 0 || cos_o <= 0) return {};
   const Frame frame(n);
   const Vec3 h = normalize_or(wi + wo, n);
-  const float alpha = std::max(s.roughness * s.roughness, kSmallestAlpha), c = dot(h, wo);
+  const float alpha = ggx_width(s), c = dot(h, wo);
   const float lobe = ggx_distribution(alpha, frame.to_local(h)) * ggx_visibility(alpha, cos_i, cos_o);
   const Rgb coat = schlick_fresnel(dielectric_reflectance(s), s.specular_weight, c);
   const Rgb metal = schlick_fresnel(s.base, 1, c);

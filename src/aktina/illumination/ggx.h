@@ -34,6 +34,12 @@ inline Rgb schlick_fresnel(Rgb f0, float f90, float cosine) { return f0 + (Rgb(f
 /// Reflectance of a dielectric at normal incidence, with the strength and tint of KHR_materials_specular.
 Rgb dielectric_reflectance(const Surface& s);
 
+/// Width alpha of a material's lobe: its roughness squared, at least 1e-4 (a few arc seconds: below it D overflows).
+inline float ggx_width(const Surface& s) {
+  const float alpha = s.roughness * s.roughness;
+  return alpha > 1e-4f ? alpha : 1e-4f;
+}
+
 /// glTF 2.0's metallic-roughness model: a diffuse body below a GGX coat, mixed with a GGX metal. sr^-1
 struct Ggx {
   Reflectance brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;

@@ -20,8 +20,7 @@ struct SurfaceArrays {
   const float* kd[3];
   const float* ks[3];
   const float* exponent;
-  const Surface* whole =
-      nullptr;  // one a point, unpadded: for models that read more (Illuminator::reads_whole_surface)
+  const Surface* whole = nullptr;  // one a point, unpadded: for models that read more (reads_whole_surface)
 };
 
 /// Structure of arrays: `count` points, each array 64-byte aligned and padded.
@@ -47,8 +46,7 @@ class Illuminator {
   /// illuminate() at each point, by SIMD; relative error about 1e-5, and finite for finite points.
   void evaluate(const PointArrays& points, const LitArrays& out) const;
 
-  /// Lambert, Phong, Blinn-Phong and Schlick read ka, kd, ks and the exponent, by SIMD; the others are evaluated point
-  /// by point and read SurfaceArrays::whole, where there is one.
+  /// Whether the model reads more than ka, kd, ks and the exponent: of textured points then SurfaceArrays::whole.
   bool reads_whole_surface() const;
 
   const IlluminationModel& model() const { return model_; }

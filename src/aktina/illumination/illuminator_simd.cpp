@@ -1,4 +1,4 @@
-// illuminate() for many points: dispatch on model, textures and kind of light outside of the arithmetic.
+// illuminate() for many points: dispatch on model and kind of light outside of the arithmetic.
 #include <algorithm>
 
 #include "aktina/illumination/illuminator.h"
@@ -9,46 +9,12 @@
 #include <hwy/highway.h>
 
 #include "aktina/base/simd.h"
+#include "aktina/illumination/coefficients_simd.h"
+#include "aktina/illumination/models_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
 namespace {
-
-struct V3 {
-  F x, y, z;
-};
-HWY_INLINE V3 broadcast(Vec3 v) { return {set(v.x), set(v.y), set(v.z)}; }
-HWY_INLINE V3 load3(const float* const p[3], size_t i) { return {load(p[0] + i), load(p[1] + i), load(p[2] + i)}; }
-HWY_INLINE V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-HWY_INLINE V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE V3 operator*(V3 a, F s) { return {a.x * s, a.y * s, a.z * s}; }
-HWY_INLINE F dot(V3 a, V3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
-HWY_INLINE F inverse_length(F squared) { return reciprocal_sqrt(hn::Max(squared, set(1e-30f))); }
-HWY_INLINE V3 normalized(V3 v) { return v * inverse_length(dot(v, v)); }
-
-/// Unit normal, directions to light and viewer, and the cosines between them.
-struct Geometry {
-  V3 n, l, v;
-  F n_l, n_v, l_v;
-};
-
-// The models' highlights S, where n.l > 0; the formulas of their own files.
-HWY_INLINE F highlight(const Lambert&, const Geometry&, F) { return zero(); }
-HWY_INLINE F highlight(const Phong&, const Geometry& g, F exponent) {
-  return pow(hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v), exponent);  // r.v = 2 (n.l)(n.v) - l.v
-}
-HWY_INLINE F highlight(const BlinnPhong&, const Geometry& g, F exponent) {
-  const V3 h = g.l + g.v;  // not from 2 + 2 l.v, which loses its digits where light and viewer are opposite
-  return pow((g.n_l + g.n_v) * inverse_length(dot(h, h)), exponent);
-}
-
-HWY_INLINE F highlight(const Schlick& model, const Geometry& g, F exponent) {
-  const V3 h = g.l + g.v;
-  const F t = model.half ? (g.n_l + g.n_v) * inverse_length(dot(h, h)) : hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v);
-  const F n = hn::Max(exponent, set(1e-6f));
-  const F clamped = hn::Min(t, set(1.0f));
-  return hn::IfThenElseZero(t > zero(), clamped / hn::Max(fma(hn::Sub(set(1.0f), n), clamped, n), set(1e-30f)));
-}
 
 /// Unit direction to a lamp and the factor on its colour there.
 struct Arrival {
@@ -89,44 +55,48 @@ HWY_INLINE Arrival arrive(const Lamp& lamp, V3 x) {
   return a;
 }
 
+/// Sums over the lamps, each times the lamps' colours.
+struct Sums {
+  F diffuse[3], specular[3], grazing[3];
+};
+
+template <class Model>
+HWY_INLINE void add(const Model& model, const Lamp& lamp, const Coefficients& c, V3 x, const Geometry& seen, Sums& to) {
+  const Arrival a = arrive(lamp, x);
+  const Lobes lobes = respond(model, c, {seen.n, a.l, seen.v, dot(seen.n, a.l), seen.n_v, dot(a.l, seen.v)});
+  for (int k = 0; k < 3; ++k) {
+    const F light = a.factor * set(lamp.colour[k]);
+    to.diffuse[k] = fma(lobes.diffuse, light, to.diffuse[k]);
+    to.specular[k] = fma(lobes.specular, light, to.specular[k]);
+    if constexpr (std::is_same_v<Model, Ggx>) to.grazing[k] = fma(lobes.grazing, light, to.grazing[k]);
+  }
+}
+
 template <class Model>
 void light_points(const Model& model, const Illuminator& light, const PointArrays& points, const LitArrays& out) {
-  const SurfaceArrays* textured = points.surface;
-  const Surface& s = light.surface();
   const Rgb ambient = light.ambient();
+  const Viewer& viewer = light.viewer();
+  Coefficients c{};
+  if (!points.surface) fill(model, light.surface(), points, 0, c);
   for (size_t i = 0; i < padded(points.count); i += kPart) {
     const V3 x = load3(points.position, i), given = load3(points.normal, i);
     const V3 n = points.unit_normals ? given : normalized(given);
-    const V3 v = light.viewer().distant ? broadcast(light.viewer().at) : normalized(broadcast(light.viewer().at) - x);
-    const F n_v = dot(n, v);
-    const F exponent = hn::Max(textured ? load(textured->exponent + i) : set(s.exponent), zero());
-    F diffuse[3] = {zero(), zero(), zero()}, specular[3] = {zero(), zero(), zero()};
-    for (const Lamp& lamp : light.lamps()) {
-      const Arrival a = arrive(lamp, x);
-      const Geometry g{n, a.l, v, dot(n, a.l), n_v, dot(a.l, v)};
-      const F lit = hn::IfThenElseZero(g.n_l > zero(), a.factor);
-      const F shine = lit * highlight(model, g, exponent), glow = lit * g.n_l;
-      for (int k = 0; k < 3; ++k) {
-        diffuse[k] = fma(glow, set(lamp.colour[k]), diffuse[k]);
-        specular[k] = fma(shine, set(lamp.colour[k]), specular[k]);
-      }
-    }
+    const V3 v = viewer.distant ? broadcast(viewer.at) : normalized(broadcast(viewer.at) - x);
+    if (points.surface) fill(model, light.surface(), points, i, c);
+    const Geometry seen{n, v, v, zero(), dot(n, v), zero()};
+    Sums sums{{zero(), zero(), zero()}, {zero(), zero(), zero()}, {zero(), zero(), zero()}};
+    for (const Lamp& lamp : light.lamps()) add(model, lamp, c, x, seen, sums);
     for (int k = 0; k < 3; ++k) {
-      const F ka = textured ? load(textured->ka[k] + i) : set(s.ka[k]);
-      const F kd = textured ? load(textured->kd[k] + i) : set(s.kd[k]);
-      const F ks = textured ? load(textured->ks[k] + i) : set(s.ks[k]);
-      store(fma(diffuse[k], kd, ka * set(ambient[k])), out.diffuse[k] + i);
-      store(specular[k] * ks, out.specular[k] + i);
+      F specular = sums.specular[k] * c.ks[k];
+      if constexpr (std::is_same_v<Model, Ggx>) specular = fma(sums.grazing[k], c.grazing[k], specular);
+      store(fma(sums.diffuse[k], c.kd[k], c.ka[k] * set(ambient[k])), out.diffuse[k] + i);
+      store(specular, out.specular[k] + i);
     }
   }
 }
 
 void LightPoints(const Illuminator& light, const PointArrays& points, const LitArrays& out) {
-  std::visit(
-      [&](const auto& model) {
-        if constexpr (requires(Geometry g, F x) { highlight(model, g, x); }) light_points(model, light, points, out);
-      },
-      light.model());
+  std::visit([&](const auto& model) { light_points(model, light, points, out); }, light.model());
 }
 
 }  // namespace
@@ -138,24 +108,6 @@ namespace aktina {
 
 HWY_EXPORT(LightPoints);
 
-namespace {
-
-/// illuminate() point by point, for models without a SIMD form. Padding is written, with copies of the last point.
-void light_each(const Illuminator& light, const PointArrays& points, const LitArrays& out) {
-  for (size_t i = 0; i < padded(points.count); ++i) {
-    const size_t from = std::min(i, points.count - 1);
-    const auto at = [from](const float* const p[3]) { return Vec3(p[0][from], p[1][from], p[2][from]); };
-    Surface s = light.surface();
-    if (points.surface && points.surface->whole) s = points.surface->whole[from];
-    const Point3 x = at(points.position);
-    const Vec3 n = points.unit_normals ? at(points.normal) : normalize_or(at(points.normal), {0, 0, 1});
-    const Lit lit = illuminate(light.model(), s, light.lights(), light.ambient(), x, n, light.viewer().towards(x));
-    for (int k = 0; k < 3; ++k) out.diffuse[k][i] = lit.diffuse[k], out.specular[k][i] = lit.specular[k];
-  }
-}
-
-}  // namespace
-
 Illuminator::Illuminator(const IlluminationModel& model, const Surface& surface, std::span<const Light> lights,
                          Rgb ambient, const Viewer& viewer)
     : model_(model), surface_(surface), lights_(lights.begin(), lights.end()), ambient_(ambient), viewer_(viewer) {
@@ -165,16 +117,12 @@ Illuminator::Illuminator(const IlluminationModel& model, const Surface& surface,
 bool Illuminator::reads_whole_surface() const {
   const auto* phong = std::get_if<Phong>(&model_);
   if (phong) return phong->fresnel;
-  return !(std::holds_alternative<Lambert>(model_) || std::holds_alternative<BlinnPhong>(model_) ||
-           std::holds_alternative<Schlick>(model_));
+  return std::holds_alternative<TorranceSparrow>(model_) || std::holds_alternative<CookTorrance>(model_) ||
+         std::holds_alternative<Ward>(model_) || std::holds_alternative<Ggx>(model_);
 }
 
 void Illuminator::evaluate(const PointArrays& points, const LitArrays& out) const {
-  if (points.count == 0) return;
-  if (reads_whole_surface())
-    light_each(*this, points, out);
-  else
-    HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
+  if (points.count > 0) HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
 }
 
 }  // namespace aktina

@@ -19,25 +19,30 @@ constexpr float kNarrowest = 1e-3f;  // rad
 /// Half width of cos^n: acos(2^(-1/n)).
 float half_width_of(float exponent) { return std::acos(std::exp2(-1 / std::clamp(exponent, 0.05f, 1e6f))); }
 
-float facets(FacetDistribution distribution, float alpha, float beta) {
-  if (distribution == FacetDistribution::beckmann) {
-    // exp(-t^2 / m^2) / cos^4 is 1/2 at beta: m^2 = t^2 / (ln 2 - 4 ln cos beta); scaled to 1 along the normal
-    const float t = std::tan(beta), m = t / std::sqrt(std::log(2.0f) - 4 * std::log(std::cos(beta)));
-    return facet_beckmann(alpha, m) * m * m;
-  }
-  const FacetWidths width = facet_widths(beta);
-  if (distribution == FacetDistribution::phong) return facet_phong(alpha, width.c1);
-  if (distribution == FacetDistribution::gaussian) return facet_gaussian(alpha, width.c2);
-  return facet_trowbridge_reitz(alpha, width.c3);
+/// Scaled to 1 along the normal.
+float facets(FacetDistribution distribution, float alpha, float width) {
+  if (distribution == FacetDistribution::phong) return facet_phong(alpha, width);
+  if (distribution == FacetDistribution::gaussian) return facet_gaussian(alpha, width);
+  if (distribution == FacetDistribution::trowbridge_reitz) return facet_trowbridge_reitz(alpha, width);
+  return facet_beckmann(alpha, width) * width * width;
 }
 
 }  // namespace
 
+float TorranceSparrow::width(const Surface& s) const {
+  const float beta = std::clamp(half_width > 0 ? half_width : half_width_of(s.exponent), kNarrowest, 1.5f);
+  if (distribution == FacetDistribution::beckmann)
+    // exp(-t^2 / m^2) / cos^4 is 1/2 at beta: m^2 = t^2 / (ln 2 - 4 ln cos beta)
+    return std::tan(beta) / std::sqrt(std::log(2.0f) - 4 * std::log(std::cos(beta)));
+  const FacetWidths width = facet_widths(beta);
+  if (distribution == FacetDistribution::phong) return width.c1;
+  return distribution == FacetDistribution::gaussian ? width.c2 : width.c3;
+}
+
 float TorranceSparrow::highlight(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
   if (dot(n, wi) <= 0 || dot(n, wo) <= 0) return 0;
   const Vec3 h = half_vector(wi, wo, n);
-  const float beta = std::clamp(half_width > 0 ? half_width : half_width_of(s.exponent), kNarrowest, 1.5f);
-  return facets(distribution, angle_between(n, h), beta) * groove_masking_over_view(n, wi, wo) *
+  return facets(distribution, angle_between(n, h), width(s)) * groove_masking_over_view(n, wi, wo) *
          fresnel_dielectric(dot(wo, h), s.ior);
 }
 

@@ -12,6 +12,8 @@ enum class FacetDistribution : uint8_t { phong, gaussian, trowbridge_reitz, beck
 struct TorranceSparrow {
   FacetDistribution distribution = FacetDistribution::trowbridge_reitz;
   float half_width = 0;  // rad, where D falls to half; 0: from the material's exponent, cos^n = 1/2
+  /// The distribution's own parameter: c1, c2, c3 or m.
+  float width(const Surface& s) const;
   Reflectance brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
   float highlight(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const;
 };

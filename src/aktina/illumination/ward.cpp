@@ -13,15 +13,19 @@
 
 namespace aktina {
 
+Vec2 Ward::widths(const Surface& s) const {
+  return {std::max(along > 0 ? along : facet_slope(s), 1e-3f), std::max(across > 0 ? across : facet_slope(s), 1e-3f)};
+}
+
 Reflectance Ward::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
   const float n_wi = dot(n, wi), n_wo = dot(n, wo);
   if (n_wi <= 0 || n_wo <= 0) return {};
-  const float ax = std::max(along > 0 ? along : facet_slope(s), 1e-3f);
-  const float ay = std::max(across > 0 ? across : facet_slope(s), 1e-3f);
+  const Vec2 a = widths(s);
   const Vec3 h = wi + wo;  // of any length: the exponent is a ratio
   const Vec3 t = normalize_or(cross(Vec3(0, 1, 0), n), {1, 0, 0}), b = cross(n, t);
-  const float x = dot(h, t) / ax, y = dot(h, b) / ay, z = std::max(dot(h, n), 1e-6f);
-  const float lobe = std::exp(-(x * x + y * y) / (z * z)) / (4 * float(kPi) * ax * ay * std::sqrt(n_wi * n_wo));
+  const float x = dot(h, t) / a.x, y = dot(h, b) / a.y, z = std::max(dot(h, n), 1e-6f);
+  const float lobe =
+      std::exp(-(x * x + y * y) / (z * z)) / (4 * float(kPi) * a.x * a.y * std::sqrt(std::max(n_wi * n_wo, kLeast)));
   return {s.kd * float(kInvPi), s.ks * lobe};
 }
 

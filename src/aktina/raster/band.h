@@ -21,6 +21,7 @@ struct ShadeBatch {
   // of textured pipelines
   alignas(64) float ka[3][kPixels], kd[3][kPixels], ks[3][kPixels], exponent[kPixels], alpha[kPixels];
   alignas(64) float albedo[3][kPixels], normal[3][kPixels];
+  std::vector<Surface> whole;  // kPixels, where the illumination model reads more than ka, kd, ks and exponent
 };
 
 /// Visible pixels of methods on spans: names of records, and what they show. In blocks, as the visibility buffer.

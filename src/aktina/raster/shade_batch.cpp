@@ -33,8 +33,11 @@ void light(const Pipeline& pipeline, RasterBand& band) {
   if (pipeline.lit && pipeline.plan.kind == ShadingPlan::Kind::attributes) {
     const float* channels[kMostChannels];
     for (int c = 0; c < kMostChannels; ++c) channels[c] = b.channel[c];
-    const SurfaceArrays surface{
-        {b.ka[0], b.ka[1], b.ka[2]}, {b.kd[0], b.kd[1], b.kd[2]}, {b.ks[0], b.ks[1], b.ks[2]}, b.exponent};
+    const SurfaceArrays surface{{b.ka[0], b.ka[1], b.ka[2]},
+                                {b.kd[0], b.kd[1], b.kd[2]},
+                                {b.ks[0], b.ks[1], b.ks[2]},
+                                b.exponent,
+                                pipeline.light.reads_whole_surface() ? b.whole.data() : nullptr};
     const Fragments fragments{
         count, channels, {b.position[0], b.position[1], b.position[2]}, pipeline.textured ? &surface : nullptr};
     pipeline.method->shade(fragments, pipeline.light, out);

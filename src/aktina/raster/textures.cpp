@@ -80,6 +80,7 @@ void apply(const RasterFrame& frame, const Pipeline& pipeline, bool layers, Shad
   const MaterialPoint point = evaluate(frame.scene, m, uv, between(mesh.colours, p, Vec4(1)));
   put(b.ka, i, point.surface.ka), put(b.kd, i, point.surface.kd), put(b.ks, i, point.surface.ks);
   b.exponent[i] = point.surface.exponent;
+  if (pipeline.light.reads_whole_surface()) b.whole[i] = point.surface;
   b.alpha[i] = point.alpha;
   put(b.emission, i, pipeline.emits_on(source.front) ? point.emission.v : Rgb());
   const float side = source.front ? 1.0f : -1.0f;
@@ -99,6 +100,7 @@ void apply(const RasterFrame& frame, const Pipeline& pipeline, bool layers, Shad
 }  // namespace
 
 void apply_textures(const RasterFrame& frame, const Pipeline& pipeline, bool layers, ShadeBatch& b) {
+  if (pipeline.light.reads_whole_surface()) b.whole.resize(ShadeBatch::kPixels);
   for (size_t i = 0; i < b.blocks * kLanes; ++i) {
     if (b.seen[i] != kNobody) {
       apply(frame, pipeline, layers, b, i);
