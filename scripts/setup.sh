@@ -9,7 +9,7 @@ packages=(
   # core libraries
   libembree-dev libtbb-dev libhwy-dev libglm-dev
   libdraco-dev libmeshoptimizer-dev
-  libopenexr-dev libspng-dev libturbojpeg0-dev libwebp-dev
+  libopenexr-dev libspng-dev libturbojpeg0-dev libwebp-dev libhdf5-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
   # Python module
   python3 python3-dev python3-numpy pybind11-dev python3-pytest mypy

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "aktina/base/error.h"
+#include "aktina/export/csv.h"
 #include "aktina/export/export.h"
 
 namespace aktina {
@@ -11,13 +12,6 @@ constexpr std::string_view kColumns =
     "patch,instance,x_m,y_m,z_m,normal_x,normal_y,normal_z,area_m2,"
     "exitance_r_lm_m2,exitance_g_lm_m2,exitance_b_lm_m2,irradiance_r_lx,irradiance_g_lx,irradiance_b_lx,"
     "illuminance_lx,back_illuminance_lx\r\n";
-
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n#") == text.npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
 
 /// The node's name, else the mesh's, else the number.
 std::string name_of(const Scene& scene, uint32_t index) {

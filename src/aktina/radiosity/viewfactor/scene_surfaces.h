@@ -1,0 +1,19 @@
+// Scene -> the surfaces of a view-factor matrix.
+#pragma once
+
+#include "aktina/radiosity/viewfactor/view_factors.h"
+#include "aktina/scene/scene.h"
+
+namespace aktina {
+
+enum class SurfacesBy : uint8_t { face, object, material };
+
+/// One surface for each polygon of the file (a face of an OBJ, PLY or OFF file as it stands there; of formats that have
+/// only triangles: two consecutive ones that make a parallelogram, else one), each object or each material. Names are
+/// the file's: "wall", or "wall:3" for polygon 3 of an object with several. Coordinates in metres, world.
+/// Polygons that have holes, cross themselves or are not planar become surfaces of several triangles; those without
+/// area are left out and counted.
+/// @throws Error bad_input (nothing with an area), limit (more than 2^31 pieces)
+ViewFactorScene surfaces_of(const Scene& scene, SurfacesBy by);
+
+}  // namespace aktina

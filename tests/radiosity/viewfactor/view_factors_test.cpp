@@ -1,0 +1,184 @@
+#include "aktina/radiosity/viewfactor/view_factors.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "aktina/base/error.h"
+#include "aktina/base/parallel.h"
+#include "aktina/radiosity/formfactor/closed_forms.h"
+#include "aktina/radiosity/viewfactor/certificate.h"
+#include "aktina/radiosity/viewfactor/gray_body.h"
+#include "radiosity/formfactor/polygons.h"
+
+namespace aktina {
+namespace {
+
+ViewFactorScene one_each(std::vector<Polygon> polygons) {
+  ViewFactorScene scene;
+  for (uint32_t i = 0; i < polygons.size(); ++i) scene.owners.push_back(i), scene.names.push_back(std::to_string(i));
+  scene.pieces = std::move(polygons);
+  return scene;
+}
+
+/// A closed room of 2 x 3 x 2 with a box in it, fronts outward.
+ViewFactorScene room_with_box() {
+  std::vector<Polygon> all = box(2, 3, 2);
+  for (Polygon p : box(0.6, 0.8, 0.5)) all.push_back(moved(turned_over(p), {0.5, 0.9, 0.4}));
+  return one_each(all);
+}
+
+TEST(ViewFactors, OpposedSquaresAsTheClosedForm) {
+  const ViewFactors f = view_factors(one_each({unit_square(), ceiling(1)}), {});
+  EXPECT_NEAR(f.at(0, 1), opposed_rectangles(1, 1, 1), 1e-12);
+  EXPECT_EQ(f.at(0, 0), 0);
+  EXPECT_DOUBLE_EQ(f.areas[0], 1);
+}
+
+TEST(ViewFactors, AClosedRoomWithABoxClosesAndIsCertified) {
+  const ViewFactors f = view_factors(room_with_box(), {});
+  for (size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f.row_sum(i), 1, 2e-4) << i;
+  const Certificate c = certify(f);
+  EXPECT_TRUE(c.closed);
+  EXPECT_LT(c.worst_reciprocity, 1e-15);
+  EXPECT_EQ(c.out_of_bounds, 0U);
+  EXPECT_GE(c.least, 0);
+  EXPECT_LE(c.largest_error, 1e-4);
+  EXPECT_EQ(c.worst.size(), 10U);
+  for (size_t k = 1; k < c.worst.size(); ++k)
+    EXPECT_GE(std::abs(c.worst[k - 1].sum - 1), std::abs(c.worst[k].sum - 1)) << "the worst first";
+}
+
+TEST(ViewFactors, AnOpenSceneIsNotCalledClosed) {
+  std::vector<Polygon> walls = box(1, 1, 1);
+  walls.pop_back();
+  const Certificate c = certify(view_factors(one_each(walls), {}));
+  EXPECT_FALSE(c.closed);
+  EXPECT_NEAR(c.least_sum, 1 - perpendicular_rectangles(1, 1, 1), 1e-9) << "beside the opening: that is missing";
+  EXPECT_NEAR(c.most_sum, 1 - opposed_rectangles(1, 1, 1), 1e-9) << "opposite to it";
+}
+
+TEST(ViewFactors, SurfacesOfSeveralPiecesAddUp) {
+  const ViewFactors fine = view_factors(room_with_box(), {.target_error = 1e-6});
+  ViewFactorScene grouped = room_with_box();
+  grouped.names = {"room", "box"};
+  for (size_t i = 0; i < grouped.owners.size(); ++i) grouped.owners[i] = i < 6 ? 0 : 1;
+  const ViewFactors f = view_factors(grouped, {.target_error = 1e-6});
+  ASSERT_EQ(f.size(), 2U);
+  EXPECT_NEAR(f.at(1, 0), 1, 1e-5) << "a convex box sees the room only";
+  EXPECT_EQ(f.at(1, 1), 0);
+  EXPECT_NEAR(f.at(0, 1), f.areas[1] / f.areas[0], 1e-5) << "reciprocity";
+  double sum = 0;
+  for (size_t i = 0; i < 6; ++i)
+    for (size_t j = 0; j < 6; ++j) sum += fine.areas[i] * fine.at(i, j);
+  EXPECT_NEAR(f.at(0, 0), sum / f.areas[0], 1e-6) << "what the room sees of itself";
+}
+
+TEST(ViewFactors, OccludersHideOnly) {
+  ViewFactorScene scene = one_each({unit_square(), ceiling(1)});
+  scene.occluders = {moved(unit_square(), {0, 0, 0.5})};
+  const ViewFactors f = view_factors(scene, {});
+  EXPECT_EQ(f.size(), 2U);
+  EXPECT_EQ(f.at(0, 1), 0);
+  EXPECT_TRUE(f.columns.empty()) << "nothing is stored for what is not seen";
+}
+
+TEST(ViewFactors, TheSameForAnyNumberOfThreads) {
+  set_thread_count(1);
+  const ViewFactors one = view_factors(room_with_box(), {});
+  set_thread_count(3);
+  const ViewFactors three = view_factors(room_with_box(), {});
+  set_thread_count(0);
+  EXPECT_EQ(one.factors, three.factors);
+  EXPECT_EQ(one.errors, three.errors);
+}
+
+TEST(ViewFactors, AMatrixThatWouldNotFitIsRefusedWithTheSizeThatWould) {
+  try {
+    view_factors(room_with_box(), {.most_bytes = 1000});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Code::limit);
+    EXPECT_THAT(error.what(), testing::HasSubstr("fit"));
+  }
+  EXPECT_THROW(view_factors({}, {}), Error);
+  EXPECT_THROW(view_factors(room_with_box(), {.target_error = 0}), Error);
+}
+
+TEST(Repair, ClosesRowsAndKeepsReciprocityAndZeros) {
+  ViewFactors f = view_factors(room_with_box(), {});
+  for (size_t k = 0; k < f.factors.size(); ++k) f.factors[k] *= 1 + 1e-3 * std::sin(double(k));
+  const size_t stored = f.factors.size();
+  // Made symmetric again: a repair starts from exchange areas.
+  for (size_t i = 0; i < f.size(); ++i)
+    for (uint64_t k = f.starts[i]; k < f.starts[i + 1]; ++k)
+      if (f.columns[k] < i) f.factors[k] = f.areas[f.columns[k]] * f.at(f.columns[k], i) / f.areas[i];
+  const double change = repair(f);
+  EXPECT_GT(change, 0);
+  EXPECT_LT(change, 2e-3);
+  EXPECT_EQ(f.factors.size(), stored);
+  for (size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f.row_sum(i), 1, 1e-12);
+  EXPECT_LT(certify(f).worst_reciprocity, 1e-14);
+}
+
+TEST(Repair, RefusesWhatIsNoEnclosure) {
+  ViewFactors f = view_factors(one_each({unit_square(), ceiling(1)}), {});
+  EXPECT_THROW(repair(f), Error);
+}
+
+/// Two plates so near that they see only each other.
+ViewFactors plates() {
+  ViewFactors f;
+  f.names = {"hot", "cold"}, f.areas = {2, 2};
+  f.starts = {0, 1, 2}, f.columns = {1, 0}, f.factors = {1, 1}, f.errors = {0, 0};
+  return f;
+}
+
+TEST(GrayBody, ParallelPlatesAsTheClosedForm) {
+  const std::vector<GrayBody> bodies{{.emissivity = 0.8, .temperature = 500}, {.emissivity = 0.3, .temperature = 300}};
+  const double script_f = 1 / (1 / 0.8 + 1 / 0.3 - 1);
+  const GrayExchange exchange = gray_exchange(plates(), bodies);
+  EXPECT_NEAR(exchange.script_f[1], script_f, 1e-14);
+  EXPECT_NEAR(exchange.script_f[2], script_f, 1e-14) << "symmetric where areas are equal";
+  EXPECT_NEAR(exchange.gebhart[0] + exchange.gebhart[1], 1, 1e-14) << "all is absorbed somewhere";
+  const GrayBalance balance = gray_balance(plates(), bodies, 0);
+  const double flux = script_f * kStefanBoltzmann * (std::pow(500, 4) - std::pow(300, 4));
+  EXPECT_NEAR(balance.fluxes[0], flux, 1e-10 * flux);
+  EXPECT_NEAR(balance.fluxes[1], -flux, 1e-10 * flux);
+  EXPECT_NEAR(balance.net, 0, 1e-9 * flux);
+}
+
+TEST(GrayBody, AGivenFluxFindsTheTemperatureThatCausesIt) {
+  const double flux = kStefanBoltzmann / (1 / 0.8 + 1 / 0.3 - 1) * (std::pow(500, 4) - std::pow(300, 4));
+  const GrayBalance balance =
+      gray_balance(plates(), {{.emissivity = 0.8, .flux = flux}, {.emissivity = 0.3, .temperature = 300}}, 0);
+  EXPECT_NEAR(balance.temperatures[0], 500, 1e-9);
+  EXPECT_EQ(balance.temperatures[1], 300);
+}
+
+TEST(GrayBody, NetworkAndExchangeFactorsAgreeInARoom) {
+  const ViewFactors f = view_factors(room_with_box(), {});
+  std::vector<GrayBody> bodies;
+  for (size_t i = 0; i < f.size(); ++i)
+    bodies.push_back({.emissivity = 0.1 + 0.07 * double(i), .temperature = 280 + 15.0 * double(i)});
+  const GrayExchange e = gray_exchange(f, bodies);
+  const GrayBalance balance = gray_balance(f, bodies, 0);
+  for (size_t i = 0; i < f.size(); ++i) {
+    double heat = 0;
+    for (size_t j = 0; j < f.size(); ++j)
+      heat += e.script_f[i * e.size + j] * kStefanBoltzmann *
+              (std::pow(bodies[i].temperature, 4) - std::pow(bodies[j].temperature, 4));
+    heat += e.escaped[i] * bodies[i].emissivity * kStefanBoltzmann * std::pow(bodies[i].temperature, 4);
+    EXPECT_NEAR(balance.fluxes[i], heat, 1e-9 * kStefanBoltzmann * std::pow(500, 4)) << i;
+  }
+}
+
+TEST(GrayBody, RefusesWhatHasNoBalance) {
+  EXPECT_THROW(gray_balance(plates(), {{.flux = 1}, {.flux = -1}}, 0), Error) << "any temperature would do";
+  EXPECT_THROW(gray_balance(plates(), {{.temperature = 1}, {}}, 0), Error);
+  EXPECT_THROW(gray_balance(plates(), {{.temperature = 1, .flux = 1}, {.temperature = 1}}, 0), Error);
+  EXPECT_THROW(gray_exchange(plates(), {{.emissivity = 0}, {}}), Error);
+}
+
+}  // namespace
+}  // namespace aktina
