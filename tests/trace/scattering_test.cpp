@@ -47,6 +47,15 @@ TEST(Scattering, WhiteFurnaceOfMetalAndDielectric) {
     }
 }
 
+TEST(Scattering, FacetsThatReflectEverythingLeaveNothingToTheBody) {
+  for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f})
+    for (const float cosine : {0.1f, 0.6f, 0.99f}) {
+      Surface s = dielectric(Rgb(0.8f), roughness);
+      s.specular_tint = Rgb(25.0f);  // F0 of index 1.5 is 0.04
+      EXPECT_NEAR(albedo(Scattering(s), direction(cosine), false).mean(), 1, 0.01) << roughness << " at " << cosine;
+    }
+}
+
 TEST(Scattering, NothingReflectsMoreThanItGets) {
   for (const float roughness : {0.0f, 0.05f, 0.2f, 0.5f, 0.8f, 1.0f})
     for (const float cosine : {0.02f, 0.2f, 0.5f, 0.8f, 1.0f})

@@ -16,7 +16,7 @@ bool has_textures(const Material& m) {
 Pipeline::Pipeline(const PipelineSettings& settings, const Material& m, bool has_colours, const Viewer& viewer)
     : material(&m),
       method(m.unlit ? settings.unlit.get() : settings.method.get()),
-      light(settings.model, surface_of(m), settings.lights.lights, settings.lights.ambient, viewer),
+      light(settings.model, without_rays(surface_of(m)), settings.lights.lights, settings.lights.ambient, viewer),
       plan(method->plan(light)),
       textured(has_textures(m) || m.alpha_mode != AlphaMode::opaque || (has_colours && !m.unlit) ||
                settings.surface_layers),

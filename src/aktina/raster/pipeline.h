@@ -10,6 +10,12 @@
 
 namespace aktina {
 
+/// Coefficients where no rays are traced: mirrors show the even ambient light.
+inline Surface without_rays(Surface s) {
+  s.ka += s.kr;
+  return s;
+}
+
 /// What stays the same from frame to frame.
 struct PipelineSettings {
   std::shared_ptr<const ShadingMethod> method, unlit;  // unlit: linear on the surface

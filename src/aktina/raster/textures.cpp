@@ -78,7 +78,7 @@ void apply(const RasterFrame& frame, const Pipeline& pipeline, bool layers, Shad
   const Mesh& mesh = *p.part->mesh;
   const Vec2 uv[2] = {between(mesh.uv[0], p, Vec2(0)), between(mesh.uv[1], p, Vec2(0))};
   const MaterialPoint point = evaluate(frame.scene, m, uv, between(mesh.colours, p, Vec4(1)));
-  put(b.ka, i, point.surface.ka), put(b.kd, i, point.surface.kd), put(b.ks, i, point.surface.ks);
+  put(b.ka, i, without_rays(point.surface).ka), put(b.kd, i, point.surface.kd), put(b.ks, i, point.surface.ks);
   b.exponent[i] = point.surface.exponent;
   if (pipeline.light.reads_whole_surface()) b.whole[i] = point.surface;
   b.alpha[i] = point.alpha;

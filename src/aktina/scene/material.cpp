@@ -28,9 +28,10 @@ void derive_classic(Surface& s) {
   const Rgb body = s.base * (1 - s.metallic);
   s.exponent = phong_exponent(s.roughness);
   s.kd = clamp_unit(body * (1 - s.transmission));
-  s.ka = s.kd;
   s.ks = clamp_unit(f0 * (0.25f / squared_alpha(s.exponent)));
-  s.kr = f0 * std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
+  const float sharp = std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
+  s.kr = f0 * sharp;
+  s.ka = clamp_unit(s.kd + f0 * (1 - sharp));
   s.kt = clamp_unit(body * s.transmission * (Rgb(1) - f0));
 }
 
@@ -110,7 +111,10 @@ Material material_of(const ClassicMaterial& classic) {
   if (classic.index > 1 || m.transmission > 0) m.ior = std::max(classic.index, 1.0f);
   const float dielectric = (m.ior - 1) * (m.ior - 1) / ((m.ior + 1) * (m.ior + 1));
   Rgb f0 = classic.ks * (4 * alpha2);
-  for (int i = 0; i < 3; ++i) f0[i] = std::min(std::max(f0[i], classic.kr[i]), 1.0f);
+  for (int i = 0; i < 3; ++i) {  // gloss takes no more than the body leaves
+    f0[i] = std::min(f0[i], std::max(1 - classic.kd[i], dielectric));
+    f0[i] = std::min(std::max(f0[i], classic.kr[i]), 1.0f);
+  }
   m.specular_weight = is_black(f0) || dielectric == 0 ? 0 : 1;
   if (m.specular_weight > 0) m.specular_tint = f0 / dielectric;
   return m;

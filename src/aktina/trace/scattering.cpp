@@ -42,8 +42,10 @@ Scattering::Scattering(const Surface& s) {
   alpha_ = roughness * roughness;
   // Between equal indices light goes straight on, whatever the facets do.
   smooth_ = shiny_ && (roughness < kSmoothRoughness || (glass_ > 0 && ior_ < 1.001f));
-  if (shiny_) mean_body_share_ = 1 - dielectric_albedo(mean_facet_albedo(alpha_));
   const FacetAlbedo mean = shiny_ ? mean_facet_albedo(alpha_) : FacetAlbedo{0, 0};
+  // Where facets reflect everything, nothing reaches the body.
+  const float mean_body_share = shiny_ ? 1 - dielectric_albedo(mean) : 1;
+  body_scale_ = mean_body_share > 1e-6f ? 1 / mean_body_share : 0;
   albedo_ = body_ + (metal_ * mean.scale + Rgb(mean.bias)) * metallic_ +
             (f0_ * mean.scale + Rgb(f90_ * mean.bias)) * opaque_ + clear_ * glass_;
   albedo_ = clamped(albedo_, 0, 1);
@@ -59,7 +61,7 @@ Scattering::Interface Scattering::interface(float cosine, float index_ratio) con
   const FacetAlbedo facets = facet_albedo(alpha_, cosine);
   const float single = facets.scale + facets.bias;
   Interface seen;
-  seen.body_share = 1 - dielectric_albedo(facets);
+  seen.body_share = std::max(0.0f, 1 - dielectric_albedo(facets));
   const Rgb f0 = f0_ * (opaque_ + glass_) + metal_ * metallic_;
   seen.compensation = Rgb(1) + f0 * (1 / single - 1);
   const float passed = glass_ > 0 ? 1 - fresnel_dielectric(cosine, index_ratio) : 0;
@@ -71,8 +73,8 @@ Scattering::Interface Scattering::interface(float cosine, float index_ratio) con
 }
 
 Rgb Scattering::body_value(Vec3 wi, const Interface& seen) const {
-  const float enters = 1 - dielectric_albedo(facet_albedo(alpha_, wi.z));
-  return body_ * (seen.body_share * enters / mean_body_share_ * wi.z * float(kInvPi));
+  const float enters = std::max(0.0f, 1 - dielectric_albedo(facet_albedo(alpha_, wi.z)));
+  return body_ * (seen.body_share * enters * body_scale_ * wi.z * float(kInvPi));
 }
 
 Rgb Scattering::facet_reflectance(float cosine, float index_ratio) const {

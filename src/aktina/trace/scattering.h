@@ -75,7 +75,7 @@ class Scattering {
   float f90_ = 0;           // of dielectric facets
   float opaque_ = 1, metallic_ = 0, glass_ = 0;  // shares of the surface: opaque dielectric, metal, clear
   float alpha_ = 1, ior_ = 1.5f;
-  float mean_body_share_ = 1;  // 1 - E, averaged over the hemisphere
+  float body_scale_ = 1;  // one over 1 - E averaged over the hemisphere; 0 where E is 1
   Rgb albedo_;
   bool shiny_ = false, smooth_ = false;
 };

@@ -26,7 +26,8 @@ struct Map {
 /// One newmtl as the file states it.
 struct Statement {
   std::string name;
-  Rgb ka{0}, kd{0.8f}, ks{0}, ke{0}, tf{1};
+  Rgb kd{0.8f}, ks{0}, ke{0}, tf{1};
+  std::optional<Rgb> ka;  // else as kd
   std::optional<float> roughness, metallic;
   float ns = 1, ni = 1, dissolve = 1;
   int64_t illum = 2;
@@ -61,7 +62,7 @@ class Library {
 
  private:
   void statement(const std::string& keyword, std::string_view rest) {
-    if (keyword == "ka") return colour(rest, m_->ka);
+    if (keyword == "ka") return colour(rest, m_->ka.emplace());
     if (keyword == "kd") return m_->states_kd = true, colour(rest, m_->kd);
     if (keyword == "ks") return colour(rest, m_->ks);
     if (keyword == "ke") return colour(rest, m_->ke);
@@ -171,7 +172,7 @@ class Library {
     if (!s.map_kd.file.empty() && (!s.states_kd || is_black(s.kd))) s.kd = Rgb(1);
     if (s.roughness || s.metallic) return physical();
     ClassicMaterial c;
-    c.ka = clamped(s.ka, 0, 1), c.kd = clamped(s.kd, 0, 1), c.ks = clamped(s.ks, 0, 1);
+    c.ka = clamped(s.ka.value_or(s.kd), 0, 1), c.kd = clamped(s.kd, 0, 1), c.ks = clamped(s.ks, 0, 1);
     c.exponent = std::clamp(s.ns, 0.0f, kLargestExponent);
     c.index = s.ni >= 1 ? s.ni : 1;
     const bool through = s.illum == 4 || s.illum == 6 || s.illum == 7 || s.illum == 9;
