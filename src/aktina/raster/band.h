@@ -38,6 +38,7 @@ struct RasterBand {
   LineArray<float> colour[3], albedo[3], normal[3];  // albedo and normal: only where layers ask for them
   bool surface_layers = false;
   bool names = false;  // some pipeline of the frame is deferred: `seen` is kept
+  bool filled = true;  // colour is there also where nothing is seen; else it says nothing there
   ShadeBatch batch;
   SpanBuffers on_spans;
   std::vector<std::pair<uint32_t, float>> blended;  // names and depths
@@ -64,11 +65,12 @@ bool passes_mask(const RasterFrame& frame, uint32_t name, int x, int y, float de
 struct Background {
   Rgb uniform;
   bool varies;
+  bool fill;  // wanted in the band's colours, not only where bands become pictures
   FunctionRef<Rgb(int x, int y)> at;
 };
 
-/// Draws a band of the frame: opaque surfaces, the background of pixels that see none, blended surfaces from back to
-/// front.
+/// Draws a band of the frame: opaque surfaces, the background of pixels that see none where it varies, is wanted, or
+/// has blended surfaces before it, and those from back to front.
 void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band);
 void shade_opaque(const RasterFrame& frame, RasterBand& band);
 /// Lights the pixels of pipelines on spans: colour is written where they are plain, and nobody into `seen`; else what

@@ -13,15 +13,15 @@ void clear_spans(const RasterFrame& frame, size_t size, SpanBuffers& out) {
   std::fill_n(out.blended.data(), size, kNobody);
 }
 
-void clear(const RasterFrame& frame, int index, Rgb background, RasterBand& band) {
+/// Colours stay as they are: where nothing is seen they say nothing.
+void clear(const RasterFrame& frame, int index, RasterBand& band) {
   const int first = index * kBandRows;
   band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
-                     frame.view.farthest());
+                     frame.view.farthest(), band.names);
   const size_t size = band.visible.layout.blocks() * kLanes;
   if (frame.pipelines.any_spans) clear_spans(frame, size, band.on_spans);
   for (int k = 0; k < 3; ++k) {
     band.colour[k].resize(size);
-    std::fill_n(band.colour[k].data(), size, background[k]);
     if (!band.surface_layers) continue;
     band.albedo[k].resize(size), band.normal[k].resize(size);
     std::fill_n(band.albedo[k].data(), size, 0.0f), std::fill_n(band.normal[k].data(), size, 0.0f);
@@ -73,11 +73,12 @@ void draw_opaque(const RasterFrame& frame, int index, RasterBand& band) {
 
 void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band) {
   band.names = frame.pipelines.any_deferred;
-  clear(frame, index, background.uniform, band);
+  clear(frame, index, band);
   draw_opaque(frame, index, band);
   if (frame.pipelines.any_spans) shade_spans(frame, index, band);
   if (band.names) shade_opaque(frame, band);
-  if (background.varies) fill_background(frame, background, band);
+  band.filled = background.varies || background.fill || frame.pipelines.any_blended;
+  if (band.filled) fill_background(frame, background, band);
   if (frame.pipelines.any_blended) draw_blended(frame, index, band);
 }
 
@@ -87,7 +88,7 @@ void fill_background(const RasterFrame& frame, const Background& background, Ras
     for (int x = 0; x < layout.width; ++x) {
       const size_t at = layout.offset_of_pixel(x, y);
       if (band.visible.depth[at] > frame.view.farthest()) continue;
-      const Rgb c = background.at(x, y);
+      const Rgb c = background.varies ? background.at(x, y) : background.uniform;
       for (int k = 0; k < 3; ++k) band.colour[k][at] = c[k];
     }
 }

@@ -144,7 +144,7 @@ class Rasterizer::Workshop {
       return radiance(scene_.environment, ray.direction).v;
     };
     const bool varies = scene_.environment.shines();
-    const Background background{varies ? Rgb() : scene_.background.v, varies, sky};
+    const Background background{varies ? Rgb() : scene_.background.v, varies, side_ > 1, sky};
     parallel_for(size_t(frame.bands()), 1, [&](size_t begin, size_t end) {
       std::unique_ptr<RasterBand> band = pool_.take();
       band->surface_layers = settings_.surface_layers;
@@ -152,7 +152,7 @@ class Rasterizer::Workshop {
         if (progress) progress->throw_if_cancelled();
         draw_band(frame, int(b), background, *band);
         if (side_ == 1) {
-          resolve_colour(*band, out.layers[0].image);
+          resolve_colour(*band, frame.view, background.uniform, out.layers[0].image);
         } else {
           average_colour(*band, side_, out.layers[0].image);
         }

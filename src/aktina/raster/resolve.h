@@ -6,9 +6,10 @@
 
 namespace aktina {
 
-/// Copies the colour of a band to its rows of a picture of as many pixels.
-void resolve_colour(const RasterBand& band, Image& out);
-/// The same where each pixel has side x side samples: their mean.
+/// Copies the colour of a band to its rows of a picture of as many pixels; `background` where nothing is seen, unless
+/// the band is filled.
+void resolve_colour(const RasterBand& band, const View& view, Rgb background, Image& out);
+/// The same where each pixel has side x side samples: their mean. @pre  filled
 void average_colour(const RasterBand& band, int side, Image& out);
 
 /// PictureLayers of a picture, or null: albedo, N, P take three channels, Z one. A pixel shows its middle sample.

@@ -20,31 +20,50 @@ using RowTag = hn::CappedTag<float, 4>;
 constexpr RowTag kRow;
 constexpr size_t kRowPart = hn::MaxLanes(RowTag());
 
-/// Four pixels of a block's row, channels interleaved.
-HWY_INLINE void interleave(const RasterBand& band, size_t at, float* to) {
-  for (size_t i = 0; i < size_t(kBlock); i += kRowPart)
-    hn::StoreInterleaved3(hn::Load(kRow, band.colour[0].data() + at + i),
-                          hn::Load(kRow, band.colour[1].data() + at + i),
-                          hn::Load(kRow, band.colour[2].data() + at + i), kRow, to + 3 * i);
+/// Sixteen columns and four rows of a picture: four blocks, pixel by pixel.
+struct alignas(64) Tile {
+  float v[4][kLanes * 3];
+};
+
+/// A block with its channels interleaved.
+HWY_INLINE void interleave(const RasterBand& band, float farthest, const F (&background)[3], size_t at, float* to) {
+  for (size_t i = 0; i < kLanes; i += kPart) {
+    const M unseen = load(band.visible.depth.data() + at + i) == set(farthest);
+    F c[3];
+    for (int k = 0; k < 3; ++k) {
+      c[k] = load(band.colour[k].data() + at + i);
+      if (!band.filled) c[k] = select(unseen, background[k], c[k]);
+    }
+    hn::StoreInterleaved3(c[0], c[1], c[2], kFloat, to + 3 * i);
+  }
 }
 
-void ResolveColour(const RasterBand& band, Image& out) {
-  const BlockLayout& layout = band.visible.layout;
-  alignas(64) float four[kBlock * 3];
-  for (int y = layout.first_row; y < layout.first_row + layout.rows; ++y) {
-    const size_t row = layout.offset(0, y & ~3) + size_t((y & 3) * kBlock);
-    float* to = out.at(0, y);
-    // The picture is not read again soon: where lines are aligned, it goes past the cache.
-    const bool past_cache = reinterpret_cast<uintptr_t>(to) % (kRowPart * sizeof(float)) == 0;
-    for (int x = 0; x < out.width; x += kBlock, to += kBlock * 3) {
-      interleave(band, row + size_t(x / kBlock) * kLanes, four);
-      if (past_cache && x + kBlock <= out.width) {
-        for (size_t i = 0; i < size_t(kBlock * 3); i += kRowPart) hn::Stream(hn::Load(kRow, four + i), kRow, to + i);
-      } else {
-        std::memcpy(to, four, size_t(std::min(kBlock, out.width - x)) * 3 * sizeof(float));
-      }
+/// The part of a tile's row that lies within the picture. @param columns  of it, at most 16
+HWY_INLINE void copy_row(const Tile& tile, int row, int columns, float* to) {
+  // The picture is not read again soon: where lines are aligned, it goes past the cache.
+  const bool past_cache = columns == 16 && reinterpret_cast<uintptr_t>(to) % (kRowPart * sizeof(float)) == 0;
+  for (int block = 0; block * kBlock < columns; ++block, to += kBlock * 3) {
+    const float* from = tile.v[block] + row * kBlock * 3;
+    if (past_cache) {
+      for (size_t i = 0; i < size_t(kBlock * 3); i += kRowPart) hn::Stream(hn::Load(kRow, from + i), kRow, to + i);
+    } else {
+      std::memcpy(to, from, size_t(std::min(kBlock, columns - block * kBlock)) * 3 * sizeof(float));
     }
   }
+}
+
+void ResolveColour(const RasterBand& band, const View& view, Rgb background, Image& out) {
+  const BlockLayout& layout = band.visible.layout;
+  const F behind[3] = {set(background.r), set(background.g), set(background.b)};
+  Tile tile;
+  for (int y = 0; y < layout.rows; y += kBlock)
+    for (int x = 0; x < out.width; x += 16) {
+      const size_t at = layout.offset(x, layout.first_row + y);
+      for (size_t block = 0; block < 4; ++block)
+        interleave(band, view.farthest(), behind, at + block * kLanes, tile.v[block]);
+      for (int row = 0; row < std::min(kBlock, layout.rows - y); ++row)
+        copy_row(tile, row, std::min(16, out.width - x), out.at(x, layout.first_row + y + row));
+    }
   hwy::FlushStream();
 }
 
@@ -57,7 +76,9 @@ namespace aktina {
 
 HWY_EXPORT(ResolveColour);
 
-void resolve_colour(const RasterBand& band, Image& out) { HWY_DYNAMIC_DISPATCH(ResolveColour)(band, out); }
+void resolve_colour(const RasterBand& band, const View& view, Rgb background, Image& out) {
+  HWY_DYNAMIC_DISPATCH(ResolveColour)(band, view, background, out);
+}
 
 }  // namespace aktina
 #endif

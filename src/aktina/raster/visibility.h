@@ -11,8 +11,8 @@ struct VisibilityBuffer {
   LineArray<float> depth;
   LineArray<uint32_t> seen;
 
-  /// Nothing is seen, at depth `farthest`.
-  void clear(const BlockLayout& layout, float farthest);
+  /// Nothing is seen, at depth `farthest`. @param names  else `seen` stays as it is
+  void clear(const BlockLayout& layout, float farthest, bool names = true);
 };
 
 /// Writes triangle name[i] where it is nearer than what was there.

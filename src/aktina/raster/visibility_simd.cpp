@@ -39,12 +39,12 @@ namespace aktina {
 
 HWY_EXPORT(DrawVisibility);
 
-void VisibilityBuffer::clear(const BlockLayout& new_layout, float farthest) {
+void VisibilityBuffer::clear(const BlockLayout& new_layout, float farthest, bool names) {
   layout = new_layout;
   const size_t size = layout.blocks() * kLanes;
   depth.resize(size), seen.resize(size);
   std::fill_n(depth.data(), size, farthest);
-  std::fill_n(seen.data(), size, kNobody);
+  if (names) std::fill_n(seen.data(), size, kNobody);
 }
 
 void draw_visibility(const TriangleRecord* records, const uint32_t* names, int count, VisibilityBuffer& out) {
