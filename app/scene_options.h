@@ -11,7 +11,7 @@ namespace aktina::app {
 
 inline constexpr Option kSceneInput[] = {
     {.name = "scene",
-     .help = "glTF (.gltf, .glb), OBJ, PLY, STL or OFF",
+     .help = "glTF (.gltf, .glb), OBJ, PLY, STL, OFF, FBX, COLLADA (.dae) or 3DS",
      .kind = Kind::file,
      .value = "SCENE",
      .required = true},

@@ -20,6 +20,7 @@ libraries = {
     r"hwy/": [r"src/aktina/\w+/.*_simd\.(cpp|h)", r"src/aktina/base/simd\.h"],
     r"(OpenEXR/|Imf|spng|turbojpeg|webp/)": [r"src/aktina/image/"],
     r"(draco/|meshoptimizer)": [r"src/aktina/import/"],
+    r"assimp/": [r"src/aktina/import/assimp/\w+\.cpp"],
     r"nlohmann/": [r"src/aktina/(import|export|render)/", r"app/", r"tests/", r"python/"],
     r"CLI/": [r"app/"],
     r"pybind11/": [r"python/"],

@@ -17,7 +17,7 @@ cmake --build "$build" --target fuzzers -j"$(nproc)"
 copy_seeds() {  # NAME FOLDER
   local extension match=()
   for extension in $(tr ';' ' ' <"$build/fuzz/$1.seeds"); do match+=(-o -iname "*.$extension"); done
-  find scenes ../shared/scenes -type f -size -64k \( -false "${match[@]}" \) 2>/dev/null |
+  find scenes tests ../shared/scenes -type f -size -64k \( -false "${match[@]}" \) 2>/dev/null |
     while read -r file; do cp -f "$file" "$2/$(sha1sum <"$file" | cut -c1-40)"; done
 }
 

@@ -8,7 +8,7 @@ packages=(
   g++ cmake ninja-build make git ca-certificates pkg-config
   # core libraries
   libembree-dev libtbb-dev libhwy-dev libglm-dev
-  libdraco-dev libmeshoptimizer-dev
+  libassimp-dev libdraco-dev libmeshoptimizer-dev
   libopenexr-dev libspng-dev libturbojpeg0-dev libwebp-dev libhdf5-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
   # Python module

@@ -192,7 +192,7 @@ def load_solution(path, scene):
 
 
 def load(path):
-    """A Scene from a file: glTF 2.0, OBJ, PLY, STL, OFF.
+    """A Scene from a file: glTF 2.0, OBJ, PLY, STL, OFF, FBX, COLLADA, 3DS.
 
     Raises FileError, BadInput, LimitExceeded, Unsupported.
 

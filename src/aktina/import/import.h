@@ -17,7 +17,7 @@ struct ImportOptions {
   bool default_camera = true, default_light = true;
 };
 
-/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF.
+/// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF, FBX, COLLADA (.dae), 3DS.
 /// By content first, then by the extension.
 /// @throws Error bad_input, io, limit, unsupported
 Scene load_scene(const Path& path, const ImportOptions& options = {});
@@ -30,5 +30,11 @@ Scene read_obj(std::span<const uint8_t> bytes, const Path& folder, const std::st
 Scene read_ply(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_stl(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
 Scene read_off(std::span<const uint8_t> bytes, const std::string& where, const ImportOptions& options = {});
+Scene read_fbx(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+               const ImportOptions& options = {});
+Scene read_collada(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+                   const ImportOptions& options = {});
+Scene read_3ds(std::span<const uint8_t> bytes, const Path& folder, const std::string& where,
+               const ImportOptions& options = {});
 
 }  // namespace aktina

@@ -1,5 +1,6 @@
 // Which reader a file gets: by its first bytes, then by its extension.
 #include <algorithm>
+#include <cstring>
 #include <string_view>
 
 #include "aktina/base/error.h"
@@ -26,6 +27,23 @@ bool is_off(std::span<const uint8_t> bytes) {
          std::all_of(bytes.begin(), bytes.begin() + long(end), [](uint8_t c) { return c >= 'A' && c <= 'Z'; });
 }
 
+bool is_fbx(std::span<const uint8_t> bytes, const std::string& extension) {
+  return extension == "fbx" || starts_with(bytes, "Kaydara FBX Binary") || starts_with(bytes, "; FBX");
+}
+
+bool is_collada(std::span<const uint8_t> bytes, const std::string& extension) {
+  constexpr size_t kHead = 1024;  // bytes in which a document names its root
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kHead));
+  return extension == "dae" || head.find("<COLLADA") != head.npos;
+}
+
+/// The first chunk, 0x4D4D, is as long as the file.
+bool is_3ds(std::span<const uint8_t> bytes, const std::string& extension) {
+  uint32_t length = 0;
+  if (bytes.size() >= 6) std::memcpy(&length, bytes.data() + 2, 4);
+  return extension == "3ds" || (starts_with(bytes, "MM") && length == bytes.size());
+}
+
 }  // namespace
 
 Scene load_scene(const Path& path, const ImportOptions& options) {
@@ -37,8 +55,11 @@ Scene load_scene(const Path& path, const ImportOptions& options) {
   if (extension == "obj") return read_obj(bytes, path.parent_path(), where, options);
   if (extension == "off" || is_off(bytes)) return read_off(bytes, where, options);
   if (extension == "stl" || starts_with(bytes, "solid")) return read_stl(bytes, where, options);
+  if (is_fbx(bytes, extension)) return read_fbx(bytes, path.parent_path(), where, options);
+  if (is_collada(bytes, extension)) return read_collada(bytes, path.parent_path(), where, options);
+  if (is_3ds(bytes, extension)) return read_3ds(bytes, path.parent_path(), where, options);
   throw Error(Code::unsupported, where, "scene files with the extension '" + extension + "' are not read",
-              "use .glb, .gltf, .obj, .ply, .stl or .off");
+              "use .glb, .gltf, .obj, .ply, .stl, .off, .fbx, .dae or .3ds");
 }
 
 }  // namespace aktina
