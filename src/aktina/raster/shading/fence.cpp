@@ -3,8 +3,8 @@
 // addition a pixel and channel. Weakness: a highlight between the ends is lost; depends on how the triangle is turned
 // on the screen. Euler shading is its improvement.
 //
-// As A. Hast, T. Barrera, E. Bengtsson describe it: "Approximated Phong Shading by using the Euler Method", Eurographics
-// 2001 (short presentations).
+// As A. Hast, T. Barrera, E. Bengtsson describe it: "Approximated Phong Shading by using the Euler Method",
+// Eurographics 2001 (short presentations).
 #include <algorithm>
 
 #include "aktina/raster/shading/span.h"

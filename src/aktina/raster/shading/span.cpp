@@ -27,28 +27,17 @@ Span span_at(const Vec2 (&screen)[3], float y) {
   return span;
 }
 
-float share_of(const TriangleGroup& triangles, int lane, const Span::End& end) {
-  const float from = (1 - end.t) * triangles.weight[end.from][size_t(lane)];
-  const float to = end.t * triangles.weight[end.to][size_t(lane)];
-  return to / (from + to);
-}
-
-Point3 position_at(const TriangleGroup& triangles, int lane, const Span::End& end) {
-  const float s = share_of(triangles, lane, end);
-  return (1 - s) * vertex(triangles.position, end.from, lane) + s * vertex(triangles.position, end.to, lane);
-}
-
-Vec3 normal_at(const TriangleGroup& triangles, int lane, const Span::End& end) {
-  const float s = share_of(triangles, lane, end);
-  return (1 - s) * vertex(triangles.normal, end.from, lane) + s * vertex(triangles.normal, end.to, lane);
-}
-
-SpanEnds::SpanEnds(const TriangleGroup& triangles, int lane, std::span<const Span> spans) {
+SpanEnds::SpanEnds(const TriangleGroup& triangles, int lane, std::span<const Span> spans, NormalBetween between) {
   for (size_t i = 0; i < kLanes; ++i) {
     const Span& span = spans[std::min(i / 2, spans.size() - 1)];
     const Span::End& end = i % 2 == 0 ? span.left : span.right;
-    const Point3 p = position_at(triangles, lane, end);
-    const Vec3 n = normal_at(triangles, lane, end);
+    const float from = (1 - end.t) * triangles.weight[end.from][size_t(lane)];
+    const float to = end.t * triangles.weight[end.to][size_t(lane)];
+    weight[i] = from + to;
+    const float s = to / weight[i];  // share of vertex `to` on the surface
+    const auto at = [&](const Lanes(&values)[3][3], int v) { return vertex(values, v, lane); };
+    const Point3 p = linear(at(triangles.position, end.from), at(triangles.position, end.to), s);
+    const Vec3 n = between(at(triangles.normal, end.from), at(triangles.normal, end.to), s);
     for (int k = 0; k < 3; ++k) position[k][i] = p[k], normal[k][i] = n[k];
   }
 }

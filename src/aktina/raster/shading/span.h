@@ -5,15 +5,25 @@
 
 namespace aktina {
 
-/// The span of a triangle on the line at y (px): `first`, `count` and `output` are 0. Where the line only touches the
-/// triangle, or does not meet it, left.x > right.x.
+/// The span of a triangle on the line at y (px): `first`, `count` and `output` are 0. Where the line does not meet it,
+/// left.x > right.x.
 Span span_at(const Vec2 (&screen)[3], float y);
 
-/// Share of vertex `to` at a span's end, on the surface: perspective-correct.
-float share_of(const TriangleGroup& triangles, int lane, const Span::End& end);
-/// There: m, world; and the vertex normals between each other, not unit.
-Point3 position_at(const TriangleGroup& triangles, int lane, const Span::End& end);
-Vec3 normal_at(const TriangleGroup& triangles, int lane, const Span::End& end);
+/// A normal between two unit ones, of any length.
+using NormalBetween = Vec3 (*)(Vec3 a, Vec3 b, float t);
+inline Vec3 linear(Vec3 a, Vec3 b, float t) { return (1 - t) * a + t * b; }
+
+/// Eight spans with their sixteen ends, those of span i at 2 i and 2 i + 1. Ends beyond the last span are copies of it.
+struct SpanEnds {
+  static constexpr size_t kSpans = kLanes / 2;
+  Lanes position[3], normal[3];  // m, world; not unit; both perspective-correct
+  Lanes weight;                  // 1 / w of the perspective division
+
+  /// @param spans  1 to 8
+  SpanEnds(const TriangleGroup& triangles, int lane, std::span<const Span> spans, NormalBetween between = linear);
+  Point3 position_of(size_t end) const { return {position[0][end], position[1][end], position[2][end]}; }
+  Vec3 normal_of(size_t end) const { return {normal[0][end], normal[1][end], normal[2][end]}; }
+};
 
 /// Where pixel centres are along a span: t = start + i step for pixel i; within 0 .. 1 where centres are within.
 struct SpanSteps {
@@ -23,15 +33,6 @@ struct SpanSteps {
     step = width > 0 ? 1 / width : 0;
     start = (float(span.first) + 0.5f - span.left.x) * step;
   }
-};
-
-/// Eight spans with their sixteen ends, those of span i at 2 i and 2 i + 1. Ends beyond the last span are copies of it.
-struct SpanEnds {
-  static constexpr size_t kSpans = kLanes / 2;
-  Lanes position[3], normal[3];  // m, world; vertex normals between each other, not unit
-
-  /// @param spans  1 to 8
-  SpanEnds(const TriangleGroup& triangles, int lane, std::span<const Span> spans);
 };
 
 /// Writes what is linear along a span. @param left, right  six channels: diffuse, specular

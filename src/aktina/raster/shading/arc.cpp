@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include "aktina/raster/shading/angular.h"
+
+namespace aktina {
+namespace {
+
+/// Turns v as the smallest turn does that takes unit vector `from` to `to`.
+Vec3 turned(Vec3 v, Vec3 from, Vec3 to) {
+  const Vec3 k = cross(from, to);
+  const float c = dot(from, to);
+  return v * c + cross(k, v) + k * (dot(k, v) / std::max(1 + c, 1e-6f));
+}
+
+float kuijk_inner(float n) { return (n + 5.6f) / (n * (0.09f * n + 5.2f)); }
+float kuijk_outer(float n) { return (n + 65) / (5 * n + 31.7f); }
+
+}  // namespace
+
+Arc::Arc(Vec3 from, Vec3 to) : a(from) {
+  const Vec3 across = to - from * dot(from, to);
+  angle = std::atan2(length(across), dot(from, to));
+  // Where they (nearly) agree or are opposite, what is left is rounding error: any direction at right angles will do.
+  const Vec3 unit = normalize_or(across, Vec3(0));
+  tangent = length(across) > 1e-6f ? normalize_or(unit - from * dot(from, unit), Frame(from).t) : Frame(from).t;
+}
+
+Vec3 Arc::at(float t) const { return std::cos(angle * t) * a + std::sin(angle * t) * tangent; }
+
+Vec3 slerp(Vec3 a, Vec3 b, float t) { return Arc(a, b).at(t); }
+
+std::vector<Vec3> arc_recurrence(const Arc& arc, int steps) {
+  const double delta = double(arc.angle) / steps, twice = 2 * std::cos(delta);
+  Vec3d now(arc.a), before = Vec3d(arc.a) * std::cos(delta) - Vec3d(arc.tangent) * std::sin(delta);
+  std::vector<Vec3> out;
+  for (int i = 0; i <= steps; ++i) {
+    out.emplace_back(now);
+    const Vec3d next = twice * now - before;
+    before = now, now = next;
+  }
+  return out;
+}
+
+Waves turning_cosine(const TurningPair& v) {
+  const Arc p(v.p[0], v.p[1]), q(v.q[0], v.q[1]);
+  const float aa = dot(p.a, q.a), at = dot(p.a, q.tangent), ta = dot(p.tangent, q.a), tt = dot(p.tangent, q.tangent);
+  // aa cos A cos B + at cos A sin B + ta sin A cos B + tt sin A sin B, by the sum and the difference of A and B.
+  return {{(aa - tt) / 2, (aa + tt) / 2}, {(ta + at) / 2, (ta - at) / 2}, {p.angle + q.angle, p.angle - q.angle}};
+}
+
+Waves decomposed_cosine(const TurningPair& v) {
+  const Arc p(v.p[0], v.p[1]);
+  const Vec3 pole = cross(p.a, p.tangent);
+  float azimuth[2], elevation[2];
+  for (int e = 0; e < 2; ++e) {
+    const float x = dot(v.q[e], p.a), y = dot(v.q[e], p.tangent), z = dot(v.q[e], pole);
+    azimuth[e] = std::atan2(y, x), elevation[e] = std::atan2(z, std::sqrt(x * x + y * y));
+  }
+  const float turn = p.angle - std::remainder(azimuth[1] - azimuth[0], float(2 * kPi));
+  const float rise = elevation[1] - elevation[0];
+  // cos(elevation) cos(angle t - azimuth), by the sum and the difference of the two.
+  const float sum = elevation[0] - azimuth[0], difference = elevation[0] + azimuth[0];
+  return {{std::cos(sum) / 2, std::cos(difference) / 2},
+          {-std::sin(sum) / 2, -std::sin(difference) / 2},
+          {rise + turn, rise - turn}};
+}
+
+CombinedPair::CombinedPair(const TurningPair& v) : arc(v.p[0], v.p[1]), target(normalize_or(v.q[0] + v.q[1], v.q[0])) {
+  arc = Arc(normalize_or(turned(v.p[0], v.q[0], target), v.p[0]), normalize_or(turned(v.p[1], v.q[1], target), v.p[1]));
+}
+
+Waves CombinedPair::cosine() const { return {{dot(arc.a, target), 0}, {dot(arc.tangent, target), 0}, {arc.angle, 0}}; }
+
+PowerOfAngle power_of_angle(const CombinedPair& pair, float exponent) {
+  const float n = std::max(exponent, 1.0f);
+  const float x = dot(pair.arc.a, pair.target), y = dot(pair.arc.tangent, pair.target);
+  const float highest = std::min(std::sqrt(x * x + y * y), 1.0f);
+  return {std::pow(highest, n), -std::atan2(y, x), pair.arc.angle, kuijk_inner(n), kuijk_outer(n)};
+}
+
+float kuijk_power(float angle, float exponent) {
+  const float n = std::max(exponent, 1.0f), a = std::abs(angle), inner = kuijk_inner(n), outer = kuijk_outer(n);
+  if (a < inner) return 1 - a * a / (inner * outer);
+  return a < outer ? (a - outer) * (a - outer) / (outer * (outer - inner)) : 0;
+}
+
+std::vector<float> cosine_recurrence(const Waves& w, int steps) {
+  std::vector<float> out(size_t(steps) + 1);
+  for (int k = 0; k < 2; ++k) {
+    const double delta = double(w.turn[k]) / steps, twice = 2 * std::cos(delta);
+    double now = w.cosine[k], before = w.cosine[k] * std::cos(delta) - w.sine[k] * std::sin(delta);
+    for (float& value : out) {
+      value += float(now);
+      const double next = twice * now - before;
+      before = now, now = next;
+    }
+  }
+  return out;
+}
+
+}  // namespace aktina

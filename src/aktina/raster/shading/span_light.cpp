@@ -1,0 +1,81 @@
+#include "aktina/raster/shading/span_light.h"
+
+#include <algorithm>
+
+#include "aktina/base/error.h"
+
+namespace aktina {
+namespace {
+
+template <class Model>
+const Model* model_in(const Illuminator& light) {
+  return std::get_if<Model>(&light.model());
+}
+
+/// What a span's ends know without lamps.
+struct Ends {
+  Point3 position[2];
+  Vec3 normal[2], viewer[2];
+
+  Ends(const SpanEnds& ends, size_t i, const Illuminator& light) {
+    for (size_t e = 0; e < 2; ++e) {
+      position[e] = ends.position_of(2 * i + e);
+      viewer[e] = light.viewer().towards(position[e]);
+      normal[e] = normalize_or(ends.normal_of(2 * i + e), viewer[e]);
+    }
+  }
+};
+
+SpanLight light_of(const Span& span, const CosineModel& model, const Surface& surface, const Ends& ends,
+                   const Light& lamp) {
+  SpanLight s{span, model, surface.kd, surface.ks, {}, {}, {}};
+  for (size_t e = 0; e < 2; ++e) {
+    const LightSample at = sample(lamp, ends.position[e]);
+    const Vec3 n = ends.normal[e], v = ends.viewer[e];
+    s.arriving[e] = at.e_perp.v * float(kInvPi);
+    s.diffuse.p[e] = n, s.diffuse.q[e] = at.wi;
+    if (model.highlight == CosineModel::Highlight::normal_half) {
+      s.highlight.p[e] = n, s.highlight.q[e] = normalize_or(at.wi + v, n);
+    } else {
+      s.highlight.p[e] = reflect_about(n, at.wi), s.highlight.q[e] = v;
+    }
+  }
+  return s;
+}
+
+}  // namespace
+
+CosineModel cosine_model(const Illuminator& light) {
+  using Highlight = CosineModel::Highlight;
+  const float exponent = std::max(light.surface().exponent, 0.0f);
+  if (model_in<Lambert>(light)) return {Highlight::none, false, exponent};
+  if (model_in<BlinnPhong>(light)) return {Highlight::normal_half, false, exponent};
+  if (const auto* phong = model_in<Phong>(light); phong && !phong->fresnel)
+    return {Highlight::mirror_viewer, false, exponent};
+  if (const auto* schlick = model_in<Schlick>(light))
+    return {schlick->half ? Highlight::normal_half : Highlight::mirror_viewer, true, exponent};
+  throw Error(Code::unsupported, "illumination",
+              "this shading method interpolates cosines, and the model is not a function of them alone",
+              "lambert, phong without Fresnel, blinn_phong or schlick");
+}
+
+ShadingPlan CosineShading::plan(const Illuminator& light) const {
+  cosine_model(light);
+  return {.kind = ShadingPlan::Kind::spans, .needs = ShadingPlan::kPosition | ShadingPlan::kNormal};
+}
+
+void CosineShading::shade_spans(const TriangleGroup& triangles, int lane, std::span<const Span> spans,
+                                const Illuminator& light, const LitArrays& out) const {
+  const CosineModel model = cosine_model(light);
+  for (size_t first = 0; first < spans.size(); first += SpanEnds::kSpans) {
+    const auto some = spans.subspan(first, std::min(SpanEnds::kSpans, spans.size() - first));
+    const SpanEnds both(triangles, lane, some, on_edges_);
+    for (size_t i = 0; i < some.size(); ++i) {
+      const Ends ends(both, i, light);
+      begin_light(some[i], light.surface().ka * light.ambient(), out);
+      for (const Light& lamp : light.lights()) light_span(light_of(some[i], model, light.surface(), ends, lamp), out);
+    }
+  }
+}
+
+}  // namespace aktina
