@@ -40,6 +40,7 @@ TEST(Method, EveryMistakeIsOneLineThatNamesTheChoices) {
   EXPECT_THAT(error_of([] { make("hemicube:resolution=4"); }), HasSubstr("accepted 8 .. 1024"));
   EXPECT_THAT(error_of([] { make("hemicube:resolution=8.5"); }), HasSubstr("whole"));
   EXPECT_THAT(error_of([] { make("hemicube:weight=nan"); }), HasSubstr("got nan"));
+  EXPECT_THAT(error_of([] { make("hemicube:resolution=16,resolution=32"); }), HasSubstr("given twice"));
   for (const char* broken : {"", ":", "hemicube:", "hemicube:weight", "hemicube:weight=", "hemicube:weight=1x",
                              "hemicube:weight=1,", "hemicube:=1"})
     EXPECT_NE(error_of([&] { make(broken); }), "no error") << broken;

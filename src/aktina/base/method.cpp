@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -53,7 +54,10 @@ MethodChoice parse_method(std::string_view text) {
     if (parsed.ec != std::errc() || parsed.ptr != end)
       throw Error(Code::usage, std::string(text), fmt::format("cannot read '{}'", item),
                   "write METHOD:parameter=number,parameter=number");
-    choice.values.emplace_back(item.substr(0, equals), value);
+    const std::string id(item.substr(0, equals));
+    if (std::any_of(choice.values.begin(), choice.values.end(), [&](const auto& v) { return v.first == id; }))
+      throw Error(Code::usage, std::string(text), fmt::format("'{}' is given twice", id), "name each parameter once");
+    choice.values.emplace_back(id, value);
     if (comma == std::string_view::npos) return choice;
     rest.remove_prefix(comma + 1);
   }

@@ -51,7 +51,7 @@ struct MethodChoice {
   std::string id;
   std::vector<std::pair<std::string, double>> values;
 };
-/// @throws Error usage
+/// @throws Error usage (also where a parameter is given twice)
 MethodChoice parse_method(std::string_view text);
 
 [[noreturn]] void no_such_method(std::string_view family, std::string_view id, std::string_view choices);
