@@ -15,7 +15,7 @@ from ._illumination import highlight, illuminate, schlick_power
 from ._images import compare, read_image, write_image
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
 from ._scene import Scene, Solution, load, load_solution, radiance, trace
-from ._shading import interpolate, interpolate_samples
+from ._shading import arc_angle, fast_phong_series, interpolate, interpolate_cosine, interpolate_samples, slerp
 from ._radiosity import solve_radiosity
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -57,12 +57,13 @@ HWY_INLINE F masking_over_view(const Geometry& g, const Half& h) {
 // Classic highlights.
 HWY_INLINE F highlight(const Lambert&, const Coefficients&, const Geometry&) { return zero(); }
 HWY_INLINE F highlight(const Phong& model, const Coefficients& c, const Geometry& g) {
-  const F shine = pow(hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v), c.exponent);  // r.v = 2 (n.l)(n.v) - l.v
+  const F cosine = hn::MulSub(g.n_l + g.n_l, g.n_v, g.l_v);     // r.v = 2 (n.l)(n.v) - l.v
+  const F shine = pow(hn::Min(cosine, set(1.0f)), c.exponent);  // normals taken for unit may be longer
   return model.fresnel ? shine * fresnel(g.n_l, c.ior) : shine;
 }
 HWY_INLINE F highlight(const BlinnPhong&, const Coefficients& c, const Geometry& g) {
   const V3 h = g.l + g.v;
-  return pow((g.n_l + g.n_v) * inverse_length(dot(h, h)), c.exponent);
+  return pow(hn::Min((g.n_l + g.n_v) * inverse_length(dot(h, h)), set(1.0f)), c.exponent);
 }
 HWY_INLINE F highlight(const Schlick& model, const Coefficients& c, const Geometry& g) {
   const V3 h = g.l + g.v;
