@@ -10,6 +10,7 @@ seconds=${FUZZ_SECONDS:-20}
 
 [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only" \
   -DAKTINA_FUZZ=ON -DAKTINA_TESTS=OFF -DAKTINA_PYTHON=OFF -DAKTINA_BENCH=OFF
 cmake --build "$build" --target fuzzers -j"$(nproc)"
 

@@ -123,6 +123,19 @@ TEST(GltfLights, BrokenProfilesLeaveTheirLampOut) {
   EXPECT_EQ(warned(scene, "IES profile is missing or broken"), 1u);
 }
 
+TEST(GltfLights, TurnedLuminairesHaveTheirTiltFactor) {
+  GltfFile file;
+  file.triangle();
+  file.json["extensionsUsed"] = {"EXT_lights_ies"};
+  file.json["extensions"]["EXT_lights_ies"]["lights"] = {
+      {{"uri",
+        "data:,TILT=INCLUDE%0A1%0A2%0A0%2090%0A1%200.5%0A1%20-1%201%202%201%201%201%201%201%200%0A1%201%2015%0A0%20180%"
+        "0A0%0A1%201%0A"}}};
+  file.json["nodes"][0]["extensions"]["EXT_lights_ies"] = {{"light", 0}};  // aims along -z
+  const Scene scene = file.read();
+  EXPECT_NEAR(std::get<LuminaireLight>(scene.lights.at(0).light).colour.r, 0.5f, 1e-6) << "horizontal";
+}
+
 TEST(GltfFiles, BesideADocumentOnlyAndByEncodedNames) {
   test::TemporaryFolder outer;
   const Path folder = outer / "scene";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "aktina/base/error.h"
 #include "aktina/base/random.h"
@@ -39,12 +40,40 @@ TEST(Ies, FactorsMultiply) {
   EXPECT_EQ(l.opening.shape, LuminousOpening::Shape::ellipse);
 }
 
-TEST(Ies, TiltTableIsSkippedAndSaid) {
-  const Luminaire l =
-      ies(std::string(kHead) + "TILT=INCLUDE\n1\n2\n0 90\n1 0.9\n1 -1 1 2 1 1 1 1 1 0\n1 1 15\n0 180\n0\n1 1\n");
-  EXPECT_NEAR(flux(*l.table), 4 * kPi, 1e-3);
-  EXPECT_FALSE(l.warnings.empty());
+constexpr char kBulb[] = "1 -1 1 2 1 1 1 1 1 0\n1 1 15\n0 180\n0\n1 1\n";
+
+TEST(Ies, TiltFactorsAreOfTheAngleBetweenAimAndStraightDown) {
+  const Luminaire l = ies(std::string(kHead) + "TILT=INCLUDE\n1\n3\n0 60 90\n1 0.9 0.8\n" + kBulb);
+  EXPECT_TRUE(l.warnings.empty());
+  EXPECT_NEAR(flux(*l.table), 4 * kPi, 1e-3) << "the table is of the luminaire as it was measured";
   EXPECT_NEAR(l.opening.width, 0.3048, 1e-6) << "feet";
+  const auto factor = [&](double degrees) {
+    const double angle = degrees * kPi / 180;
+    return tilt_factor(l.tilt, {float(std::sin(angle)), float(-std::cos(angle)), 0});
+  };
+  EXPECT_FLOAT_EQ(factor(0), 1);
+  EXPECT_NEAR(factor(30), 0.95, 1e-6);
+  EXPECT_NEAR(factor(75), 0.85, 1e-6);
+  EXPECT_NEAR(factor(180), 0.8, 1e-6) << "beyond the last";
+  EXPECT_FLOAT_EQ(tilt_factor({}, {1, 0, 0}), 1);
+}
+
+TEST(Ies, TiltOfAFileBeside) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "lamp.tlt") << "1\n2\n0 90\n1 0.5\n";
+  const std::string text = std::string(kHead) + "TILT=lamp.tlt\n" + kBulb;
+  const auto read = [&](const Path& place) {
+    return read_ies({reinterpret_cast<const uint8_t*>(text.data()), text.size()}, place, "a.ies");
+  };
+  EXPECT_FLOAT_EQ(tilt_factor(read(folder.path()).tilt, {1, 0, 0}), 0.5f);
+  EXPECT_FALSE(read("/nowhere").warnings.empty()) << "missing, and said";
+  EXPECT_TRUE(read("/nowhere").tilt.angles.empty());
+}
+
+TEST(Ies, TiltsThatFallAreNotTaken) {
+  const Luminaire l = ies(std::string(kHead) + "TILT=INCLUDE\n1\n2\n90 0\n1 0.9\n" + kBulb);
+  EXPECT_TRUE(l.tilt.angles.empty());
+  EXPECT_FALSE(l.warnings.empty());
 }
 
 TEST(Ies, QuartersAndHalvesAreCompleted) {

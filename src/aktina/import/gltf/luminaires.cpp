@@ -18,15 +18,16 @@ class LuminaireReader {
     const Value use = node.extension("EXT_lights_ies");
     const int number = use["light"].index(list_.size());
     if (number < 0) return;
-    const auto table = table_of(size_t(number));
-    if (!table) return;
+    const Profile& profile = profile_of(size_t(number));
+    if (!profile.table) return;
     const Mat4 placed = rigid(scene.nodes[size_t(index)].to_world);
     LuminaireLight light;
     light.position = Vec3(placed[3]), light.direction = -Vec3(placed[2]), light.c0 = Vec3(placed[0]);
     light.colour = use["color"].rgb(Rgb(1)) * use["multiplier"].real(1);
     if (!is_finite(light.colour) || min_channel(light.colour) < 0)
       use.fail("color and multiplier should not be below 0");
-    light.table = table;
+    light.colour *= tilt_factor(profile.tilt, light.direction);
+    light.table = profile.table;
     scene.lights.push_back({list_[size_t(number)]["name"].text(scene.nodes[size_t(index)].name), light, index});
   }
 
@@ -39,29 +40,33 @@ class LuminaireReader {
     return {bytes.begin(), bytes.end()};
   }
 
-  /// Nodes that share a profile share its table. None where the profile is missing or broken.
-  std::shared_ptr<const PhotometricTable> table_of(size_t number) {
-    const auto known = tables_.find(number);
-    if (known != tables_.end()) return known->second;
+  struct Profile {
+    std::shared_ptr<const PhotometricTable> table;  // none where it is missing or broken
+    LampTilt tilt;
+  };
+
+  /// Nodes that share a profile share its table.
+  const Profile& profile_of(size_t number) {
+    const auto [at, fresh] = profiles_.try_emplace(number);
+    if (!fresh) return at->second;
     const Value place = list_[number];
     const std::string where = document_.root().place() + " /extensions/EXT_lights_ies/lights/" + std::to_string(number);
-    auto& table = tables_[number];
     try {
-      const Luminaire luminaire = read_ies(bytes_of(place), document_.folder, where);
+      Luminaire luminaire = read_ies(bytes_of(place), document_.folder, where);
       document_.warnings.add(luminaire.warnings);
-      table = luminaire.table;
+      at->second = {luminaire.table, std::move(luminaire.tilt)};
     } catch (const Error& error) {
       if (error.code() == Code::limit) throw;
       if (++faults_ > kMostFaults) throw;
       document_.warnings.add("lights whose IES profile is missing or broken were left out");
     }
-    return table;
+    return at->second;
   }
 
   Document& document_;
   Value list_;
   size_t faults_ = 0;
-  std::map<size_t, std::shared_ptr<const PhotometricTable>> tables_;
+  std::map<size_t, Profile> profiles_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "aktina/base/error.h"
+#include "aktina/import/beside.h"
 #include "aktina/import/luminaire/luminaire.h"
 #include "aktina/import/luminaire/planes.h"
 #include "aktina/import/text.h"
@@ -67,14 +68,31 @@ class IesReader {
   void tilt(const std::string& how) {
     if (how == "NONE") return;
     if (how == "INCLUDE") return tilt_table();
-    out_.warnings.add(fmt::format("the tilt file '{}' is not applied: the factor of the horizontal lamp is 1", how));
+    tilt_file(how);
   }
-  /// Factors for lamps that depend on their position; the first is for the lamp as it was measured.
+  /// A file of its own with what TILT=INCLUDE has.
+  void tilt_file(const std::string& name) {
+    Beside beside(folder_, {});
+    const auto path = beside.find(name);
+    if (!path) return out_.warnings.add(fmt::format("the tilt file '{}' is missing: its factors are taken as 1", name));
+    const std::vector<uint8_t> bytes = beside.read(*path);
+    const std::string where = display(*path);
+    IesReader reader(bytes, folder_, where);
+    reader.tilt_table();
+    out_.tilt = std::move(reader.out_.tilt);
+    out_.warnings.add(reader.out_.warnings);
+  }
+  /// How the lamp lies (which the angles take account of already), then angles, then factors.
   void tilt_table() {
     number("lamp orientation");
     const uint64_t count = this->count("tilt angles", kMostAngles);
-    for (uint64_t i = 0; i < 2 * count; ++i) number("tilt");
-    out_.warnings.add("tilt factors are for luminaires that are turned: they are not applied");
+    LampTilt& tilt = out_.tilt;
+    for (uint64_t i = 0; i < count; ++i) tilt.angles.push_back(float(number("tilt angle")));
+    for (uint64_t i = 0; i < count; ++i) tilt.factors.push_back(float(number("tilt factor")));
+    const bool rising = std::is_sorted(tilt.angles.begin(), tilt.angles.end());
+    if (rising && std::none_of(tilt.factors.begin(), tilt.factors.end(), [](float f) { return f < 0; })) return;
+    out_.warnings.add("tilt factors with angles that fall, or below 0, were taken as 1");
+    tilt = {};
   }
 
   void numbers() {

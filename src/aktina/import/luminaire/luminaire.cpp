@@ -1,6 +1,7 @@
 #include "aktina/import/luminaire/luminaire.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace aktina {
@@ -40,6 +41,16 @@ double opening_angle(const PhotometricTable& table, double share) {
   for (size_t i = 0; i < planes; ++i)
     sum += falls_below(table, i, share * double(table.candela[i * table.gamma.size()]));
   return 2 * sum / double(planes);
+}
+
+float tilt_factor(const LampTilt& tilt, Vec3 aim) {
+  if (tilt.angles.empty()) return 1;
+  const float angle = std::acos(std::clamp(-aim.y, -1.0f, 1.0f)) * float(180 / kPi);
+  const size_t above = size_t(std::upper_bound(tilt.angles.begin(), tilt.angles.end(), angle) - tilt.angles.begin());
+  if (above == 0) return tilt.factors.front();
+  if (above == tilt.angles.size()) return tilt.factors.back();
+  const float t = (angle - tilt.angles[above - 1]) / (tilt.angles[above] - tilt.angles[above - 1]);
+  return tilt.factors[above - 1] + (tilt.factors[above] - tilt.factors[above - 1]) * t;
 }
 
 }  // namespace aktina

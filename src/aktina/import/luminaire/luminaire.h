@@ -4,8 +4,10 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "aktina/base/file.h"
+#include "aktina/base/vec.h"
 #include "aktina/base/warnings.h"
 #include "aktina/illumination/light/photometric_table.h"
 
@@ -18,12 +20,18 @@ struct LuminousOpening {
   float width = 0, length = 0, height = 0;  // along C90, along C0, along the axis
 };
 
+/// Share of the light that lamps give when their luminaire is turned. Degrees between its aim and straight down, rising.
+struct LampTilt {
+  std::vector<float> angles, factors;  // none: lamps do not mind
+};
+
 struct Luminaire {
   std::string name, manufacturer, lamp;
   std::string format;                             // "IES LM-63-2002", "EULUMDAT"
-  std::shared_ptr<const PhotometricTable> table;  // cd, all factors applied
+  std::shared_ptr<const PhotometricTable> table;  // cd, all factors but the tilt's applied
   std::string symmetry;                           // "around the axis", "to C0-C180", ...
   LuminousOpening opening;
+  LampTilt tilt;
   double lamp_flux = 0;  // lm, of all lamps; 0: absolute photometry, lamps are not stated apart
   double watts = 0;      // electrical
   Warnings warnings;
@@ -33,6 +41,10 @@ struct Luminaire {
 Luminaire load_luminaire(const Path& path);
 /// Whether the first bytes or the extension are those of a luminaire.
 bool is_luminaire(std::span<const uint8_t> bytes, const std::string& extension);
+
+/// Factor of a luminaire's light, where it hangs: between the tilt's angles linear, beyond them as at the last.
+/// @param aim  unit, world space: gamma = 0
+float tilt_factor(const LampTilt& tilt, Vec3 aim);
 
 /// IES LM-63 of 1986, 1991, 1995, 2002 and 2019; photometry of type A, B (resampled by 2.5 degrees) and C.
 /// @param folder  where a TILT file lies
