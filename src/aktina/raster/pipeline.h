@@ -41,7 +41,7 @@ struct Pipeline {
   Rgb emission;  // of one that is not textured
 
   /// Of TriangleGroup::radiance.
-  int radiance_channels() const { return spans() || layout.channels == 6 ? 6 : 3; }
+  int radiance_channels() const { return plan.kind != ShadingPlan::Kind::colour || layout.channels == 6 ? 6 : 3; }
   bool spans() const { return plan.kind == ShadingPlan::Kind::spans; }
   bool blended() const { return material->alpha_mode == AlphaMode::blend; }
   bool masked() const { return material->alpha_mode == AlphaMode::mask; }

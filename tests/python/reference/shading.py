@@ -5,13 +5,15 @@ import aktina
 
 from .cases import FLOAT, Method, ids
 
-# Kind of case -> the method that it describes.
-METHODS = {"phong_interp": "phong", "gouraud": "gouraud", "quadratic": "quadratic"}
+# Kind of case -> the methods that it describes, some with parameters that make them it.
+METHODS = {"phong_interp": ["phong"], "quadratic": ["quadratic"],
+           "gouraud": ["gouraud", "tai_hsu:strong=2,weak=2", "cho_neumann_woo:depth=0"]}
 
 
 def kinds():
-    kinds = {kind: [Method(method, FLOAT, lambda case, method=method: interpolated(method, case))]
-             for kind, method in METHODS.items() if method in ids("shading")}
+    kinds = {kind: [Method(method, FLOAT, lambda case, method=method: interpolated(method, case))
+                    for method in methods if method.split(":")[0] in ids("shading")]
+             for kind, methods in METHODS.items()}
     kinds["cubic"] = [Method("interpolate_samples", FLOAT, cubic)]
     on_scanlines = {"bishop_weimer": ("fast_phong", bishop_weimer), "slerp_scanline": ("spherical", slerp_scanline),
                     "angular": ("angular", angular), "euler": ("euler", euler)}
