@@ -25,6 +25,12 @@ class Beside {
   /// A picture that came within the scene file; `key` names it.
   int image(Scene& scene, const std::string& key, std::vector<uint8_t> encoded);
 
+  /// A picture of others in the scene, added to it: the colours of one (-1: white) with the opacity that another shows,
+  /// by its alpha where it has any, else by its grey. @return its index
+  int with_alpha(Scene& scene, int colour, int opacity);
+  /// The same: metallic in blue, roughness in green; one of both may be -1, which is 1 everywhere.
+  int metallic_roughness(Scene& scene, int metallic, int roughness);
+
  private:
   Path folder_;
   uint64_t left_;

@@ -37,17 +37,26 @@ class MaterialBuilder {
     if (shining && !m.emits()) m.emission = Radiance(Rgb(1));
     m.base_texture = base, m.emission_texture = shining;
     m.normal_texture = texture(from.normal);
-    if (m.alpha < 1 || is_alpha_of_base(from)) m.alpha_mode = AlphaMode::blend;
+    if (m.alpha < 1) m.alpha_mode = AlphaMode::blend;
+    add_opacity(from, m);
     return m;
   }
 
  private:
-  /// A picture of opacity that is the base picture's own alpha.
-  bool is_alpha_of_base(const FileMaterial& from) {
-    if (from.alpha.file.empty()) return false;
-    if (from.alpha.file == from.diffuse.file) return true;
-    scene_.warnings.add("pictures of opacity apart from the diffuse one were left out");
-    return false;
+  /// A picture of opacity is the base picture's own alpha, or becomes it.
+  void add_opacity(const FileMaterial& from, Material& m) {
+    const Texture opacity = texture(from.alpha);
+    if (!opacity) return;
+    if (m.base_texture && !same_place(from.alpha, from.diffuse))
+      return scene_.warnings.add("pictures of opacity that lie unlike the diffuse one were left out");
+    m.alpha_mode = AlphaMode::blend;
+    if (opacity.image == m.base_texture.image) return;
+    const int image = beside_.with_alpha(scene_, m.base_texture.image, opacity.image);
+    if (!m.base_texture) m.base_texture = opacity;
+    m.base_texture.image = image;
+  }
+  static bool same_place(const FileTexture& a, const FileTexture& b) {
+    return a.uv_set == b.uv_set && a.offset == b.offset && a.scale == b.scale;
   }
 
   Texture texture(const FileTexture& from) {

@@ -170,7 +170,7 @@ class Library {
   Material material() {
     Statement& s = *m_;
     if (!s.map_kd.file.empty() && (!s.states_kd || is_black(s.kd))) s.kd = Rgb(1);
-    if (s.roughness || s.metallic) return physical();
+    if (s.roughness || s.metallic || !s.map_rough.file.empty() || !s.map_metal.file.empty()) return physical();
     ClassicMaterial c;
     c.ka = clamped(s.ka.value_or(s.kd), 0, 1), c.kd = clamped(s.kd, 0, 1), c.ks = clamped(s.ks, 0, 1);
     c.exponent = std::clamp(s.ns, 0.0f, kLargestExponent);
@@ -190,25 +190,49 @@ class Library {
     m.metallic = std::clamp(m_->metallic.value_or(0), 0.0f, 1.0f);
     if (m_->ni >= 1) m.ior = m_->ni > 1 ? m_->ni : 1.5f;
     set_alpha(m);
+    add_metallic_roughness(m);
     return common(std::move(m));
   }
   void set_alpha(Material& m) {
     m.alpha = m_->dissolve;
-    if (m.alpha < 1 || !m_->map_d.file.empty()) m.alpha_mode = AlphaMode::blend;
+    if (m.alpha < 1) m.alpha_mode = AlphaMode::blend;
   }
+  /// map_d is the alpha of map_Kd, or a picture of its own.
+  void add_opacity(Material& m) {
+    if (m_->map_d.file.empty()) return;
+    const bool own = m_->map_d.file != m_->map_kd.file;
+    const Texture opacity = texture(m_->map_d);
+    if (!opacity) return;
+    if (own && m.base_texture && !same_place(m_->map_d, m_->map_kd))
+      return scene_.warnings.add("MTL pictures of transparency (map_d) that lie unlike map_Kd were left out");
+    m.alpha_mode = AlphaMode::blend;
+    if (!own) return;
+    const int image = beside_.with_alpha(scene_, m.base_texture.image, opacity.image);
+    if (!m.base_texture) m.base_texture = opacity;
+    m.base_texture.image = image;
+  }
+  /// A factor beside a picture multiplies it; one that is 0 or not stated would hide it.
+  void add_metallic_roughness(Material& m) {
+    const Texture rough = texture(m_->map_rough), metal = texture(m_->map_metal);
+    if (!rough && !metal) return;
+    if (rough && metal && !same_place(m_->map_rough, m_->map_metal))
+      return scene_.warnings.add("MTL pictures of metal (map_Pm) that lie unlike those of roughness were left out");
+    m.metallic_roughness_texture = rough ? rough : metal;
+    m.metallic_roughness_texture.image = beside_.metallic_roughness(scene_, metal.image, rough.image);
+    if (rough && !(m.roughness > 0)) m.roughness = 1;
+    if (metal && !(m.metallic > 0)) m.metallic = 1;
+  }
+  static bool same_place(const Map& a, const Map& b) { return a.offset == b.offset && a.scale == b.scale; }
   Material common(Material m) {
     m.name = m_->name;
     m.emission = Radiance(m_->ke);
     m.base_texture = texture(m_->map_kd);
+    add_opacity(m);
     if (!m_->map_ke.file.empty() && is_black(m.emission.v)) m.emission = Radiance(Rgb(1));
     m.emission_texture = texture(m_->map_ke);
     if (!m_->map_ke.file.empty() && !m.emission_texture) m.emission = Radiance(m_->ke);
     m.normal_texture = texture(m_->map_norm);
     m.normal_scale = m_->map_norm.bump;
-    if (!m_->map_d.file.empty() && m_->map_d.file != m_->map_kd.file)
-      scene_.warnings.add("MTL pictures of transparency (map_d) apart from map_Kd were left out");
-    if (!m_->map_rough.file.empty() || !m_->map_metal.file.empty())
-      scene_.warnings.add("MTL pictures of roughness and metal (map_Pr, map_Pm) were left out");
     return m;
   }
 
