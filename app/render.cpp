@@ -16,42 +16,6 @@ constexpr std::string_view kWays[] = {"raster", "radiosity", "two_pass"};
 constexpr std::string_view kCurves[] = {"none", "reinhard", "filmic"};
 constexpr std::string_view kFormats[] = {"png", "exr", "hdr", "pfm"};
 
-/// "640x480", "640x" (the height follows from the camera) or "x480".
-void read_size(const std::string& text, RenderOptions& options) {
-  const auto number = [&](std::string_view part) {
-    int value = 0;
-    const auto parsed = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (parsed.ec == std::errc::result_out_of_range) throw Error(Code::limit, "--size", fmt::format("got {}", text));
-    if (parsed.ec != std::errc() || parsed.ptr != part.data() + part.size() || value < 1)
-      throw Error(Code::usage, "--size", fmt::format("'{}' is not a size", text), "WIDTHxHEIGHT, as 960x640");
-    return value;
-  };
-  if (text.empty()) return;
-  const std::string_view all = text;
-  const size_t cross = all.find('x');
-  const std::string_view width = all.substr(0, cross), height = cross == all.npos ? "" : all.substr(cross + 1);
-  if (cross == all.npos || (width.empty() && height.empty())) number("");
-  if (!width.empty()) options.width = number(width);
-  if (!height.empty()) options.height = number(height);
-}
-
-/// By name, or by number from 0.
-int find_camera(const Scene& scene, const std::string& wanted) {
-  if (wanted.empty()) return 0;
-  std::vector<std::string_view> names;
-  for (const Camera& camera : scene.cameras) {
-    if (camera.name == wanted) return int(names.size());
-    names.push_back(camera.name);
-  }
-  int index = -1;
-  const auto parsed = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (parsed.ec == std::errc() && parsed.ptr == wanted.data() + wanted.size() && index >= 0 &&
-      size_t(index) < names.size())
-    return index;
-  throw Error(Code::usage, "--camera", fmt::format("the scene has no camera '{}'", wanted),
-              fmt::format("it has: {} (or by number, from 0)", fmt::join(names, ", ")));
-}
-
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
   for (size_t at = 0; at < text.size();) {
@@ -80,7 +44,7 @@ RenderOptions read_options(const Arguments& arguments) {
   options.seed = uint32_t(arguments.whole("seed"));
   options.radiosity = radiosity_options(arguments);
   options.layers = split(arguments.text("layers"));
-  read_size(arguments.text("size"), options);
+  read_size(arguments.text("size"), options.width, options.height);
   return options;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "aktina/base/error.h"
 #include "aktina/import/import.h"
@@ -28,6 +29,40 @@ RadiosityOptions radiosity_options(const Arguments& arguments) {
   options.most_steps = uint64_t(arguments.whole("max-steps"));
   options.seed = uint32_t(arguments.whole("seed"));
   return options;
+}
+
+void read_size(const std::string& text, int& width, int& height) {
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto parsed = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (parsed.ec == std::errc::result_out_of_range) throw Error(Code::limit, "--size", fmt::format("got {}", text));
+    if (parsed.ec != std::errc() || parsed.ptr != part.data() + part.size() || value < 1)
+      throw Error(Code::usage, "--size", fmt::format("'{}' is not a size", text), "WIDTHxHEIGHT, as 960x640");
+    return value;
+  };
+  if (text.empty()) return;
+  const std::string_view all = text;
+  const size_t cross = all.find('x');
+  const std::string_view wide = all.substr(0, cross), high = cross == all.npos ? "" : all.substr(cross + 1);
+  if (cross == all.npos || (wide.empty() && high.empty())) number("");
+  if (!wide.empty()) width = number(wide);
+  if (!high.empty()) height = number(high);
+}
+
+int find_camera(const Scene& scene, const std::string& wanted) {
+  if (wanted.empty()) return 0;
+  std::vector<std::string_view> names;
+  for (const Camera& camera : scene.cameras) {
+    if (camera.name == wanted) return int(names.size());
+    names.push_back(camera.name);
+  }
+  int index = -1;
+  const auto parsed = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (parsed.ec == std::errc() && parsed.ptr == wanted.data() + wanted.size() && index >= 0 &&
+      size_t(index) < names.size())
+    return index;
+  throw Error(Code::usage, "--camera", fmt::format("the scene has no camera '{}'", wanted),
+              fmt::format("it has: {} (or by number, from 0)", fmt::join(names, ", ")));
 }
 
 std::vector<Path> checked_outputs(const Arguments& arguments, Session& session,

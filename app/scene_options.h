@@ -96,6 +96,12 @@ struct LoadedScene {
 /// Reads the scene and shows what was repaired or added.
 LoadedScene load(const Arguments& arguments, const Session& session);
 
+/// "640x480", "640x" (the height follows from the camera) or "x480"; empty: both stay. @throws Error usage, limit
+void read_size(const std::string& text, int& width, int& height);
+
+/// By name, or by number from 0; empty: the first. @throws Error usage
+int find_camera(const Scene& scene, const std::string& wanted);
+
 /// The outputs, each checked for a known extension and a place that can be written. @throws Error usage, io
 std::vector<Path> checked_outputs(const Arguments& arguments, Session& session,
                                   std::span<const std::string_view> extensions);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct LitArrays {
   float* diffuse[3];  // with ambient light
   float* specular[3];
 };
+
+/// Points that this thread has had lit by Illuminator::evaluate so far: what a study counts as evaluations of the
+/// model.
+uint64_t points_lit_by_this_thread();
 
 class Illuminator {
  public:

@@ -108,6 +108,12 @@ namespace aktina {
 
 HWY_EXPORT(LightPoints);
 
+namespace {
+thread_local uint64_t points_lit = 0;
+}
+
+uint64_t points_lit_by_this_thread() { return points_lit; }
+
 Illuminator::Illuminator(const IlluminationModel& model, const Surface& surface, std::span<const Light> lights,
                          Rgb ambient, const Viewer& viewer)
     : model_(model), surface_(surface), lights_(lights.begin(), lights.end()), ambient_(ambient), viewer_(viewer) {
@@ -122,7 +128,9 @@ bool Illuminator::reads_whole_surface() const {
 }
 
 void Illuminator::evaluate(const PointArrays& points, const LitArrays& out) const {
-  if (points.count > 0) HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
+  if (points.count == 0) return;
+  points_lit += points.count;
+  HWY_DYNAMIC_DISPATCH(LightPoints)(*this, points, out);
 }
 
 }  // namespace aktina

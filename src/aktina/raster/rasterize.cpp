@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 
 #include "aktina/base/error.h"
@@ -55,6 +56,21 @@ class BandPool {
   std::vector<std::unique_ptr<RasterBand>> free_;
 };
 
+/// Time and evaluations since it was made or last asked.
+class Lap {
+ public:
+  void end(double& seconds, uint64_t& evaluations) {
+    const auto now = std::chrono::steady_clock::now();
+    const uint64_t lit = points_lit_by_this_thread();
+    seconds = std::chrono::duration<double>(now - time_).count(), evaluations = lit - lit_;
+    time_ = now, lit_ = lit;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point time_ = std::chrono::steady_clock::now();
+  uint64_t lit_ = points_lit_by_this_thread();
+};
+
 /// Layer `index` of a picture, with the wanted size; its values are left as they are where it has that already.
 Image& layer_at(LayeredImage& out, size_t index, const char* name, int width, int height, int channels) {
   if (out.layers.size() <= index) out.layers.resize(index + 1);
@@ -100,12 +116,19 @@ class Rasterizer::Workshop {
       }
     const RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
     if (progress) progress->begin("rasterizing", "bands", uint64_t(frame.bands()));
+    Lap lap;
     draw_vertices(frame);
     parallel_for(chunks_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t c = begin; c < end; ++c) build_chunk(frame, uint32_t(c));
     });
+    cost_ = {};
+    lap.end(cost_.setup_seconds, cost_.setup_evaluations);
+    for (const TriangleChunk& chunk : chunks_) cost_.triangles += chunk.count;
     draw_bands(frame, camera, prepare(out, width, height), out, progress);
+    lap.end(cost_.pixel_seconds, cost_.pixel_evaluations);
   }
+
+  const FrameCost& cost() const { return cost_; }
 
  private:
   struct Piece {
@@ -173,6 +196,7 @@ class Rasterizer::Workshop {
   VertexRadiance radiance_;
   std::vector<TriangleChunk> chunks_;
   BandPool pool_;
+  FrameCost cost_;
 };
 
 Rasterizer::Rasterizer(const Scene& scene, const RasterOptions& options)
@@ -181,6 +205,7 @@ Rasterizer::~Rasterizer() = default;
 void Rasterizer::draw(const Camera& camera, int width, int height, LayeredImage& out, Progress* progress) {
   workshop_->draw(camera, width, height, out, progress);
 }
+const FrameCost& Rasterizer::last_frame() const { return workshop_->cost(); }
 
 LayeredImage rasterize(const Scene& scene, const Camera& camera, int width, int height, const RasterOptions& options,
                        Progress* progress) {

@@ -22,6 +22,15 @@ struct RasterOptions {
   bool albedo = false, normal = false, position = false, depth = false;
 };
 
+/// What a frame cost, its two halves apart.
+struct FrameCost {
+  double setup_seconds = 0;  // vertices projected and lit; triangles gathered, set up, sorted into bands
+  double pixel_seconds = 0;  // bands: coverage, depth, shading of pixels, averaging of samples
+  uint64_t triangles = 0;    // set up: what is in view, cut by clipping
+  /// Evaluations of the illumination model in each half, with lanes that SIMD fills up; right on one thread only.
+  uint64_t setup_evaluations = 0, pixel_evaluations = 0;
+};
+
 /// A scene made ready once, drawn from many views: draw() converts nothing, and keeps its memory for the next call.
 class Rasterizer {
  public:
@@ -34,6 +43,7 @@ class Rasterizer {
 
   /// As rasterize(); `out` is filled anew, in place where it has the right size already.
   void draw(const Camera& camera, int width, int height, LayeredImage& out, Progress* progress = nullptr);
+  const FrameCost& last_frame() const;
 
  private:
   class Workshop;

@@ -1,0 +1,147 @@
+#include "aktina/render/study/claims.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace aktina {
+namespace {
+
+using Verdict = ClaimResult::Verdict;
+
+/// What a claim is judged by.
+struct Evidence {
+  const Study& study;
+  const MethodStudy& method;
+
+  const MethodStudy* find(std::string_view id) const {
+    for (const MethodStudy& m : study.methods)
+      if (m.id == id && m.failure.empty()) return &m;
+    return nullptr;
+  }
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::unknown;
+  std::string measured = "not measured in this study";
+};
+
+struct Claim {
+  std::string_view family, method, text, source;
+  Judgement (*judge)(const Evidence&);
+};
+
+Judgement decide(bool holds, std::string measured) {
+  return {holds ? Verdict::holds : Verdict::fails, std::move(measured)};
+}
+
+double frame(const MethodStudy& m) { return m.cost.times.empty() ? kUnknown : m.cost.times[0].seconds; }
+double pixels(const MethodStudy& m) { return m.cost.times.empty() ? kUnknown : m.cost.times[0].pixel_seconds; }
+
+/// Whether the time of the pixels' half over another method's lies in [least, most].
+template <int least10, int most10>
+Judgement costs(const Evidence& e, std::string_view base) {
+  const MethodStudy* other = e.find(base);
+  if (!other || !std::isfinite(pixels(e.method) / pixels(*other))) return {};
+  const double ratio = pixels(e.method) / pixels(*other), whole = frame(e.method) / frame(*other);
+  return decide(ratio * 10 >= least10 && ratio * 10 <= most10,
+                fmt::format("{:.2f} times {}'s time for the pixels, {:.2f} times its whole frame", ratio, base, whole));
+}
+
+Judgement nearer_than(const Evidence& e, std::string_view base) {
+  const MethodStudy* other = e.find(base);
+  if (!other || !std::isfinite(e.method.quality.rmse + other->quality.rmse)) return {};
+  return decide(e.method.quality.rmse < other->quality.rmse,
+                fmt::format("RMSE {:.3g} against {:.3g} of {}", e.method.quality.rmse, other->quality.rmse, base));
+}
+
+Judgement same_as(const Evidence& e, std::string_view base) {
+  const MethodStudy* other = e.find(base);
+  if (!other || !std::isfinite(e.method.quality.rmse + other->quality.rmse)) return {};
+  const double a = e.method.quality.rmse, b = other->quality.rmse;
+  return decide(std::abs(a - b) <= 1e-3 * std::max(a, b), fmt::format("RMSE {:.4g} and {:.4g}", a, b));
+}
+
+Judgement mach_bands_stay(const Evidence& e) {
+  const double band = e.method.quality.mach_band, smooth = e.study.reference_edges.mach_band;
+  if (!std::isfinite(band + smooth)) return {};
+  return decide(band > 1.1 * smooth,
+                fmt::format("the derivative jumps by {:.3g} at edges, in the reference by {:.3g}", band, smooth));
+}
+
+Judgement no_jumps(const Evidence& e) {
+  const MethodStudy* flat = e.find("flat");
+  const double jump = e.method.quality.edge_jump, smooth = e.study.reference_edges.edge_jump;
+  if (!flat || !std::isfinite(jump + flat->quality.edge_jump)) return {};
+  return decide(jump < 0.25 * flat->quality.edge_jump,
+                fmt::format("{:.3g} across edges; flat shading {:.3g}, the reference {:.3g}", jump,
+                            flat->quality.edge_jump, smooth));
+}
+
+Judgement loses_highlights(const Evidence& e) {
+  const double there = e.method.quality.highlight_rmse, all = e.method.quality.rmse;
+  if (!std::isfinite(there + all)) return {};
+  return decide(there > all, fmt::format("RMSE {:.3g} in highlights, {:.3g} in the whole picture", there, all));
+}
+
+constexpr Claim kClaims[] = {
+    {"shading", "flat", "shows each polygon as a facet", "gouraud1971",
+     [](const Evidence& e) {
+       const double jump = e.method.quality.edge_jump, smooth = e.study.reference_edges.edge_jump;
+       if (!std::isfinite(jump + smooth)) return Judgement{};
+       return decide(jump > 2 * smooth, fmt::format("{:.3g} across edges; the reference {:.3g}", jump, smooth));
+     }},
+    {"shading", "gouraud", "removes the jumps between polygons", "gouraud1971", no_jumps},
+    {"shading", "gouraud", "leaves Mach bands", "phong1975", mach_bands_stay},
+    {"shading", "gouraud", "misses highlights within polygons", "phong1975", loses_highlights},
+    {"shading", "phong", "takes six to seven times as long as Gouraud", "hearn1997",
+     [](const Evidence& e) { return costs<60, 70>(e, "gouraud"); }},
+    {"shading", "quadratic", "is nearer to Phong than Gouraud is", "vlasic2002",
+     [](const Evidence& e) { return nearer_than(e, "gouraud"); }},
+    {"shading", "quadratic", "takes two additions a pixel: less than Phong, at most twice Gouraud", "vlasic2002",
+     [](const Evidence& e) { return costs<0, 20>(e, "gouraud"); }},
+    {"shading", "cubic", "is nearer to Phong than quadratic shading is", "vlasic2002",
+     [](const Evidence& e) { return nearer_than(e, "quadratic"); }},
+    {"shading", "seiler", "is quadratic shading in another form", "seiler1998",
+     [](const Evidence& e) { return same_as(e, "quadratic"); }},
+    {"shading", "lee_jen", "costs little more than Phong", "lee2001",
+     [](const Evidence& e) { return costs<0, 15>(e, "phong"); }},
+    {"shading", "hybrid", "is cheaper than Phong", "hast2001",
+     [](const Evidence& e) { return costs<0, 10>(e, "phong"); }},
+    {"shading", "quadratic_normals", "is cheaper than Phong, without a square root", "hast2001",
+     [](const Evidence& e) { return costs<0, 10>(e, "phong"); }},
+};
+
+/// Where a method that is meant to be quicker than Phong is not.
+void compare_with_phong(Study& study) {
+  const Evidence all{study, study.methods.front()};
+  const MethodStudy* phong = all.find("phong");
+  if (!phong || !std::isfinite(frame(*phong))) return;
+  for (const MethodStudy& m : study.methods) {
+    const double ratio = frame(m) / frame(*phong);
+    if (m.id == "phong" || !std::isfinite(ratio)) continue;
+    const std::string times =
+        fmt::format("{:.2f} ms a frame, Phong {:.2f} ms, on one thread", frame(m) * 1e3, frame(*phong) * 1e3);
+    if (ratio > 0.97)
+      study.remarks.push_back(fmt::format("{} does not beat Phong by SIMD here: {}.", m.choice, times));
+    else
+      study.remarks.push_back(
+          fmt::format("{} beats Phong by SIMD here by {:.0f} %: {}.", m.choice, 100 * (1 / ratio - 1), times));
+  }
+}
+
+}  // namespace
+
+void judge_claims(Study& study) {
+  for (MethodStudy& m : study.methods) {
+    if (!m.failure.empty()) study.remarks.push_back(fmt::format("{} cannot draw this scene: {}", m.choice, m.failure));
+    for (const Claim& claim : kClaims) {
+      if (claim.family != study.family || claim.method != m.id) continue;
+      const Judgement j = m.failure.empty() ? claim.judge({study, m}) : Judgement{};
+      m.claims.push_back({std::string(claim.text), std::string(claim.source), j.verdict, j.measured});
+    }
+  }
+  if (study.family == "shading") compare_with_phong(study);
+}
+
+}  // namespace aktina

@@ -1,0 +1,29 @@
+// The parts of report.html, each a piece of HTML that needs nothing else.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "aktina/render/study/study.h"
+
+namespace aktina {
+
+/// With <, >, &, " and ' as entities; valid UTF-8.
+std::string escaped(std::string_view text);
+
+/// Three digits; a dash for what is not known.
+std::string shown(double value);
+
+/// Error against time on one thread: a point a method, the Pareto front as a line. Inline SVG.
+std::string html_chart(const Study& study);
+
+/// Quality, cost, operations, growth; the claims.
+std::string html_tables(const Study& study);
+
+/// The reference and each method: picture, difference and FLIP map, and the slider that compares two of them.
+/// @param number  of the study in the page
+std::string html_pictures(const Study& study, size_t number);
+
+extern const std::string_view kStudyStyle, kStudyScript;  // the page's CSS and JavaScript
+
+}  // namespace aktina
