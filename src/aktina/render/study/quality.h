@@ -21,7 +21,7 @@ Image highlight_mask(const Image& shiny, const Image& matt, float exposure);
 /// Root of the mean squared difference where the mask is 1; unknown where it is nowhere.
 double masked_rmse(const Image& picture, const Image& reference, const Image& mask, float exposure);
 
-/// Places where two triangles of a smooth surface meet between neighbouring pixels, with two pixels on either side.
+/// Places where two triangles of a smooth surface meet between neighbouring pixels, with three pixels on either side.
 class SmoothEdges {
  public:
   /// @param scene  without primitives (TessellatedScene), as the item buffer has it
@@ -30,9 +30,9 @@ class SmoothEdges {
   size_t size() const { return places_.size(); }
   uint64_t covered_pixels() const { return covered_; }
 
-  /// edge_jump: root of the mean square of the difference between the luminances at the edge, each extrapolated from
-  /// its own side. mach_band: the same of the difference of the derivatives, per pixel. A smooth picture has a jump of
-  /// third order and a band of its curvature: compare with the reference.
+  /// edge_jump: root of the mean square of the difference between the luminances at the edge, mach_band: the same of the
+  /// derivatives, per pixel; each from the parabola through the pixels on its own side, so that a smooth picture has
+  /// neither up to third order.
   /// @param picture  of the same view, one sample a pixel, cd/m^2
   void measure(const Image& picture, float exposure, Quality& out) const;
 

@@ -9,6 +9,8 @@
 namespace aktina {
 namespace {
 
+constexpr size_t kSide = 3;  // pixels on either side of an edge
+
 constexpr float kSameNormal = 0.9999f;  // cosine: normals less than 0.8 degrees apart are one
 
 /// A triangle's corners: which places they stand in, and their normals.
@@ -44,6 +46,14 @@ bool meet_smoothly(const Corners& a, const Corners& b) {
   return shared >= 2;
 }
 
+/// Value and derivative away from the edge, there, of the parabola through three pixels, the first half a pixel off.
+struct AtEdge {
+  double value, slope;
+};
+AtEdge at_edge(double near, double middle, double far) {
+  return {(15 * near - 10 * middle + 3 * far) / 8, 3 * middle - 2 * near - far};
+}
+
 }  // namespace
 
 SmoothEdges::SmoothEdges(const Scene& scene, const Camera& camera, int width, int height) {
@@ -54,30 +64,31 @@ SmoothEdges::SmoothEdges(const Scene& scene, const Camera& camera, int width, in
   for (const uint32_t item : items.item) covered_ += item != ItemBuffer::kNothing;
 
   const auto look = [&](size_t first, size_t step) {
-    const uint32_t a = items.item[first], b = items.item[first + 3 * step];
+    const uint32_t a = items.item[first], b = items.item[first + kSide * step];
     if (a == b || a == ItemBuffer::kNothing || b == ItemBuffer::kNothing) return;
-    if (items.item[first + step] != a || items.item[first + 2 * step] != b) return;
+    for (size_t i = 1; i < kSide; ++i)
+      if (items.item[first + i * step] != a || items.item[first + (kSide + i) * step] != b) return;
     if (meet_smoothly(corners[a], corners[b])) places_.push_back({first, step});
   };
   const auto w = size_t(width), h = size_t(height);
   for (size_t y = 0; y < h; ++y)
     for (size_t x = 0; x < w; ++x) {
-      if (x + 3 < w) look(y * w + x, 1);
-      if (y + 3 < h) look(y * w + x, w);
+      if (x + 2 * kSide <= w) look(y * w + x, 1);
+      if (y + 2 * kSide <= h) look(y * w + x, w);
     }
 }
 
 void SmoothEdges::measure(const Image& picture, float exposure, Quality& out) const {
   Sum jumps, bands;
   for (const Place& place : places_) {
-    double l[4];
-    for (size_t i = 0; i < 4; ++i) {
+    const auto luminance_at = [&](size_t i) {
       const float* p = &picture.pixels[(place.first + i * place.step) * size_t(picture.channels)];
-      l[i] = double(luminance({p[0], p[1], p[2]}) * exposure);
-      if (!std::isfinite(l[i])) l[i] = 0;
-    }
-    const double before = l[1] - l[0], after = l[3] - l[2];
-    const double jump = (l[2] - after / 2) - (l[1] + before / 2), band = after - before;
+      const double l = double(luminance({p[0], p[1], p[2]}) * exposure);
+      return std::isfinite(l) ? l : 0;
+    };
+    const AtEdge left = at_edge(luminance_at(2), luminance_at(1), luminance_at(0));
+    const AtEdge right = at_edge(luminance_at(3), luminance_at(4), luminance_at(5));
+    const double jump = right.value - left.value, band = right.slope + left.slope;
     jumps.add(jump * jump), bands.add(band * band);
   }
   if (places_.empty()) return;

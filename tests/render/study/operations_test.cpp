@@ -1,0 +1,48 @@
+// Counts against what papers state per pixel and channel.
+#include "aktina/render/study/operations.h"
+
+#include <gtest/gtest.h>
+
+#include "aktina/illumination/model.h"
+
+namespace aktina {
+namespace {
+
+ShadingPlan plan_of(const char* method) {
+  const Illuminator light(make_method(illumination_models(), "illumination", "phong"), Surface(), {}, Rgb(0), Viewer());
+  return make_method(shading_methods(), "shading", method)->plan(light);
+}
+
+TEST(StudyOperations, GouraudIsOneAdditionAPixelAndChannel) {
+  const Operations o = *operations_per_pixel("gouraud", plan_of("gouraud"), 2);
+  EXPECT_EQ(o, (Operations{.additions = 3}));
+  EXPECT_EQ(operations_per_triangle("gouraud", plan_of("gouraud"))->evaluations, 3);
+}
+
+TEST(StudyOperations, QuadraticIsTwoAdditionsAndCubicThree) {
+  EXPECT_EQ(operations_per_pixel("quadratic", plan_of("quadratic"), 2)->additions, 2 * 3);
+  EXPECT_EQ(operations_per_pixel("cubic", plan_of("cubic"), 2)->additions, 3 * 3);
+  EXPECT_EQ(operations_per_triangle("quadratic", plan_of("quadratic"))->evaluations, 6);
+  EXPECT_EQ(operations_per_triangle("cubic", plan_of("cubic"))->evaluations, 10);
+}
+
+TEST(StudyOperations, PhongIsThreeAdditionsADivisionARootAndAnEvaluation) {
+  const Operations o = *operations_per_pixel("phong", plan_of("phong:perspective=0"), 2);
+  EXPECT_EQ(o.additions, 3 + 2 + 3) << "normal, its square, diffuse and specular light";
+  EXPECT_EQ(o.divisions, 1);
+  EXPECT_EQ(o.square_roots, 1);
+  EXPECT_EQ(o.evaluations, 1);
+  EXPECT_EQ(o.powers, 2);
+  EXPECT_EQ(operations_per_pixel("phong", plan_of("phong"), 2)->divisions, 2) << "one more in perspective";
+}
+
+TEST(StudyOperations, QuadraticNormalsNeedNoRoot) {
+  EXPECT_EQ(operations_per_pixel("quadratic_normals", plan_of("quadratic_normals"), 2)->square_roots, 0);
+}
+
+TEST(StudyOperations, MethodsOnSpansSayNothingByTheirPlan) {
+  EXPECT_FALSE(operations_per_pixel("no_such", {.kind = ShadingPlan::Kind::spans}, 1));
+}
+
+}  // namespace
+}  // namespace aktina
