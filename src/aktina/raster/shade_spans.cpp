@@ -1,6 +1,7 @@
 // Methods on spans: after visibility is known, each triangle's visible runs of pixels are gathered scanline by scanline
 // and handed to the method, many spans at a time.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "aktina/raster/band.h"
@@ -37,22 +38,46 @@ class SpanShader {
       if (whole.left.x > whole.right.x) continue;
       // A pixel more on both sides: which are covered is known exactly, by name.
       find_runs(whole, y, std::max<int>(record.first_x, int(std::floor(whole.left.x)) - 1),
-                std::min<int>(record.last_x, int(std::floor(whole.right.x)) + 1));
+                std::min<int>(record.last_x, int(std::floor(whole.right.x)) + 1) + 1);
     }
     flush();
   }
 
  private:
-  size_t offset(int x, int y) const { return layout_.offset_of_pixel(x, y); }
+  /// Of the first pixel of the four that lie together in a block's row.
+  size_t piece(int x, int y) const { return layout_.offset_of_pixel(x & ~(kBlock - 1), y); }
 
+  /// Which of 64 pixels from x on, a multiple of 4, show this triangle.
+  uint64_t who_is_seen(int x, int y, int end) const {
+    uint64_t bits = 0;
+    const uint32_t* names = seen_ + piece(x, y);
+    for (int i = 0; i < 64 && x + i < end; i += kBlock, names += kLanes)
+      for (int k = 0; k < kBlock; ++k) bits |= uint64_t(names[k] == name_) << (i + k);
+    return bits;
+  }
+
+  /// Runs of pixels that show this triangle, among begin .. end - 1.
   void find_runs(Span span, int y, int begin, int end) {
-    for (int x = begin; x <= end;) {
-      while (x <= end && seen_[offset(x, y)] != name_) ++x;
-      span.first = x;
-      while (x <= end && x - span.first < kLongest && seen_[offset(x, y)] == name_) ++x;
-      span.count = x - span.first;
-      if (span.count > 0) add(span);
+    span.count = 0;
+    for (int x = begin & ~(kBlock - 1); x < end; x += 64) {
+      uint64_t bits = who_is_seen(x, y, end);
+      int at = x;
+      while (bits != 0) {
+        const int gap = std::countr_zero(bits), run = std::countr_one(bits >> gap);
+        if (gap > 0 || span.count + run > kLongest) finish(span);
+        at += gap;
+        if (span.count == 0) span.first = at;
+        span.count += run, at += run;
+        bits = gap + run < 64 ? bits >> (gap + run) : 0;
+      }
+      if (at < x + 64) finish(span);
     }
+    finish(span);
+  }
+
+  void finish(Span& span) {
+    if (span.count > 0) add(span);
+    span.count = 0;
   }
 
   void add(Span span) {
@@ -85,22 +110,39 @@ class SpanShader {
     out_.used = 0;
   }
 
-  void write_colour(const Span& span, const LitArrays& lit, Rgb emission) {
-    const int y = int(span.y);
-    for (int i = 0; i < span.count; ++i) {
-      const size_t at = offset(span.first + i, y), from = span.output + size_t(i);
-      for (int k = 0; k < 3; ++k) band_.colour[k][at] = lit.diffuse[k][from] + lit.specular[k][from] + emission[k];
-      seen_[at] = kNobody;
+  /// Calls write(to, from, n) for the n pixels of a span in each block that it crosses.
+  template <class Write>
+  void in_pieces(const Span& span, const Write& write) {
+    const int y = int(span.y), end = span.first + span.count;
+    for (int x = span.first; x < end;) {
+      const int n = std::min(kBlock - x % kBlock, end - x);
+      write(piece(x, y) + size_t(x % kBlock), span.output + size_t(x - span.first), n);
+      x += n;
     }
   }
 
+  void write_colour(const Span& span, const LitArrays& lit, Rgb emission) {
+    in_pieces(span, [&](size_t to, size_t from, int n) {
+      for (int k = 0; k < 3; ++k) {
+        float* const colour = band_.colour[k].data() + to;
+        const float *d = lit.diffuse[k] + from, *s = lit.specular[k] + from;
+        if (n == kBlock) {  // without a loop of unknown length: most pieces are whole
+          for (int i = 0; i < kBlock; ++i) colour[i] = d[i] + s[i] + emission[k];
+        } else {
+          for (int i = 0; i < n; ++i) colour[i] = d[i] + s[i] + emission[k];
+        }
+      }
+      std::fill_n(seen_ + to, n, kNobody);
+    });
+  }
+
   void keep(const Span& span, const LitArrays& lit) {
-    const int y = int(span.y);
-    for (int i = 0; i < span.count; ++i) {
-      const size_t at = offset(span.first + i, y), from = span.output + size_t(i);
-      for (int k = 0; k < 3; ++k)
-        out_.diffuse[k][at] = lit.diffuse[k][from], out_.specular[k][at] = lit.specular[k][from];
-    }
+    in_pieces(span, [&](size_t to, size_t from, int n) {
+      for (int k = 0; k < 3; ++k) {
+        std::copy_n(lit.diffuse[k] + from, n, out_.diffuse[k].data() + to);
+        std::copy_n(lit.specular[k] + from, n, out_.specular[k].data() + to);
+      }
+    });
   }
 
   const RasterFrame& frame_;

@@ -31,8 +31,8 @@ Waves decomposed_cosine(const TurningPair& pair);
 
 /// A vector that turns on a circle, against one that stands still.
 struct CombinedPair {
-  Arc arc;
   Vec3 target;
+  Arc arc;
   /// The turning of q is given to p: exact at the ends, and where q does not turn.
   explicit CombinedPair(const TurningPair& pair);
   Waves cosine() const;

@@ -146,7 +146,9 @@ class FastPhongShading final : public ShadingMethod {
                    const LitArrays& out) const override {
     const CosineModel model = cosine_model(light);
     const Corners corners(triangles, lane, light.viewer());
-    for (const Span& span : spans) begin_light(span, light.surface().ka * light.ambient(), out);
+    const Rgb ambient = light.surface().ka * light.ambient();
+    for (const Span& span : spans)
+      if (light.lights().empty()) fill_ambient(span, ambient, out);
     for (const Light& lamp : light.lights()) {
       const LampSeries series(corners, lamp, model);
       for (const Span& span : spans) {
@@ -156,6 +158,8 @@ class FastPhongShading final : public ShadingMethod {
                           model,
                           light.surface().kd,
                           light.surface().ks,
+                          &lamp == light.lights().data(),
+                          ambient,
                           {series.arriving_at(x, y), series.arriving_at(x + across, y)},
                           {},
                           {}};

@@ -26,9 +26,11 @@ struct Ends {
   }
 };
 
-SpanLight light_of(const Span& span, const CosineModel& model, const Surface& surface, const Ends& ends,
+SpanLight light_of(const Span& span, const CosineModel& model, const Illuminator& light, const Ends& ends,
                    const Light& lamp) {
-  SpanLight s{span, model, surface.kd, surface.ks, {}, {}, {}};
+  const Surface& surface = light.surface();
+  const bool first = &lamp == light.lights().data();
+  SpanLight s{span, model, surface.kd, surface.ks, first, surface.ka * light.ambient(), {}, {}, {}};
   for (size_t e = 0; e < 2; ++e) {
     const LightSample at = sample(lamp, ends.position[e]);
     const Vec3 n = ends.normal[e], v = ends.viewer[e];
@@ -72,8 +74,8 @@ void CosineShading::shade_spans(const TriangleGroup& triangles, int lane, std::s
     const SpanEnds both(triangles, lane, some, on_edges_);
     for (size_t i = 0; i < some.size(); ++i) {
       const Ends ends(both, i, light);
-      begin_light(some[i], light.surface().ka * light.ambient(), out);
-      for (const Light& lamp : light.lights()) light_span(light_of(some[i], model, light.surface(), ends, lamp), out);
+      if (light.lights().empty()) fill_ambient(some[i], light.surface().ka * light.ambient(), out);
+      for (const Light& lamp : light.lights()) light_span(light_of(some[i], model, light, ends, lamp), out);
     }
   }
 }

@@ -30,6 +30,8 @@ struct SpanLight {
   const Span& span;
   const CosineModel& model;
   Rgb kd, ks;
+  bool first;                      // on this span: what the arrays hold is overwritten by
+  Rgb ambient;                     // reflected ambient light
   Rgb arriving[2];                 // E / pi on a plane that faces the lamp, at the ends; linear between
   TurningPair diffuse, highlight;  // no highlight where the model has none
 };
@@ -74,7 +76,7 @@ class CosineShading : public ShadingMethod {
   NormalBetween on_edges_;
 };
 
-/// Writes the ambient light of a span, with which lamps are summed up.
-void begin_light(const Span& span, Rgb ambient, const LitArrays& out);
+/// What a span shows without lamps.
+void fill_ambient(const Span& span, Rgb ambient, const LitArrays& out);
 
 }  // namespace aktina

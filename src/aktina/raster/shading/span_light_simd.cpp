@@ -69,20 +69,39 @@ HWY_INLINE F highlight(const CosineModel&, const PowerOfAngle& p, F t) {
   return select(a < set(p.inner), middle, rim) * set(p.scale);
 }
 
-template <class Diffuse, class Highlight>
-HWY_INLINE void add(const SpanLight& s, const Diffuse& diffuse, const Highlight& shine, const LitArrays& out) {
+/// Colours that cosine and power are multiplied by: linear along a span.
+struct LampColours {
+  float from[6], change[6];
+
+  explicit LampColours(const SpanLight& s) {
+    for (int k = 0; k < 6; ++k) {
+      const float coefficient = k < 3 ? s.kd[k] : s.ks[k - 3];
+      from[k] = coefficient * s.arriving[0][k % 3];
+      change[k] = coefficient * (s.arriving[1][k % 3] - s.arriving[0][k % 3]);
+    }
+  }
+  HWY_INLINE F diffuse(int k, F t) const { return fma(set(change[k]), t, set(from[k])); }
+  HWY_INLINE F specular(int k, F t) const { return diffuse(3 + k, t); }
+};
+
+template <bool First, class Diffuse, class Highlight>
+HWY_INLINE void add_lamp(const SpanLight& s, const Diffuse& diffuse, const Highlight& shine, const LitArrays& out) {
   const SpanSteps steps(s.span);
+  const LampColours lamp(s);
   const bool shines = s.model.highlight != CosineModel::Highlight::none;
   for (int i = 0; i < s.span.count; i += int(kPart)) {
     const F t = fma(to_float(hn::Iota(kInt, i)), set(steps.step), set(steps.start));
     const F cosine = between_0_and_1(evaluate(diffuse, t));
     const F power = shines ? hn::IfThenElseZero(cosine > zero(), highlight(s.model, shine, t)) : zero();
     for (int k = 0; k < 3; ++k) {
-      const F arriving = fma(set(s.arriving[1][k] - s.arriving[0][k]), t, set(s.arriving[0][k]));
       float* const d = out.diffuse[k] + s.span.output + i;
       float* const h = out.specular[k] + s.span.output + i;
-      store(fma(arriving * cosine, set(s.kd[k]), load(d)), d);
-      if (shines) store(fma(arriving * power, set(s.ks[k]), load(h)), h);
+      store(fma(lamp.diffuse(k, t), cosine, First ? set(s.ambient[k]) : load(d)), d);
+      if (shines) {
+        store(fma(lamp.specular(k, t), power, First ? zero() : load(h)), h);
+      } else if (First) {
+        store(zero(), h);
+      }
     }
   }
 }
@@ -91,6 +110,15 @@ void FillArc(const Arc& arc, float start, float step, size_t count, float* const
   for (size_t i = 0; i < count; i += kPart) {
     const F t = fma(to_float(hn::Iota(kInt, int(i))), set(step), set(start));
     for (int k = 0; k < 3; ++k) store(wave(set(arc.a[k]), set(arc.tangent[k]), t * set(arc.angle)), out[k] + i);
+  }
+}
+
+template <class Diffuse, class Highlight>
+HWY_INLINE void add(const SpanLight& s, const Diffuse& diffuse, const Highlight& shine, const LitArrays& out) {
+  if (s.first) {
+    add_lamp<true>(s, diffuse, shine, out);
+  } else {
+    add_lamp<false>(s, diffuse, shine, out);
   }
 }
 
@@ -121,7 +149,7 @@ void fill_arc(const Arc& arc, float start, float step, size_t count, float* cons
   HWY_DYNAMIC_DISPATCH(FillArc)(arc, start, step, count, out);
 }
 
-void begin_light(const Span& span, Rgb ambient, const LitArrays& out) {
+void fill_ambient(const Span& span, Rgb ambient, const LitArrays& out) {
   const float both[6] = {ambient.r, ambient.g, ambient.b, 0, 0, 0};
   fill_linear(span, both, both, out);
 }
