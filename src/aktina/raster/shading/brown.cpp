@@ -8,20 +8,19 @@
 // R. Brown, "Modeling Specular Highlights Using Bezier Triangles", Sun Microsystems Laboratories, TR-99-75, 1999; US
 // patents 6,226,007 and 6,545,677.
 #include <algorithm>
+#include <optional>
 
-#include "aktina/raster/shading/corner_highlight.h"
+#include "aktina/raster/shading/highlight_form.h"
 
 namespace aktina {
 namespace {
 
-/// One lamp's: u = sum l_i^2 corner_i + 2 sum l_i l_j edge_ij.
+/// u = sum l_i^2 corner_i + 2 sum l_i l_j edge_ij.
 struct BezierHighlight {
-  HighlightCurve curve;
   float corner[3], edge[3];  // edges 01, 12, 20
 
-  BezierHighlight(const HighlightCurve& of, const Illuminator& light, size_t lamp, const CornerValues& c,
-                  const CornerHighlights& h)
-      : curve(of) {
+  BezierHighlight(const HighlightCurve& curve, const Illuminator& light, size_t lamp, const CornerValues& c,
+                  const CornerHighlights& h) {
     for (int v = 0; v < 3; ++v) corner[v] = curve.fall(h.corner[v].cosine);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
@@ -34,13 +33,10 @@ struct BezierHighlight {
 
   float least() const { return std::min(*std::min_element(corner, corner + 3), *std::min_element(edge, edge + 3)); }
 
-  void values(const SpanPixels& pixels, float* out) const {
-    for (size_t i = 0; i < padded(size_t(pixels.count)); ++i) {
-      const float l1 = pixels.b1[i], l2 = pixels.b2[i], l0 = 1 - l1 - l2;
-      out[i] = l0 * (l0 * corner[0] + 2 * l1 * edge[0]) + l1 * (l1 * corner[1] + 2 * l2 * edge[1]) +
-               l2 * (l2 * corner[2] + 2 * l0 * edge[2]);
-    }
-    highlight_values(curve, out, size_t(pixels.count));
+  QuadraticForm form() const {
+    const auto& [u0, u1, u2] = corner;
+    const auto& [u01, u12, u20] = edge;  // with b0 = 1 - b1 - b2
+    return {{u0, 2 * (u01 - u0), 2 * (u20 - u0), u0 + u1 - 2 * u01, 2 * (u0 + u12 - u01 - u20), u0 + u2 - 2 * u20}};
   }
 };
 
@@ -58,9 +54,10 @@ class BrownShading final : public ShadingMethod {
     const HighlightCurve curve = sole_highlight_curve(light, "brown");
     const float dark = curve.fall(curve.cosine_at(share_));
     shade_by_lamp(t, lane, spans, curve, light, out,
-                  [&](const CornerValues& c, const CornerHighlights& h, size_t lamp) -> std::optional<BezierHighlight> {
+                  [&](const CornerValues& c, const CornerHighlights& h, size_t lamp) -> std::optional<QuadraticForm> {
                     const BezierHighlight bezier(curve, light, lamp, c, h);
-                    return bezier.least() > dark ? std::nullopt : std::optional(bezier);
+                    if (bezier.least() > dark) return {};
+                    return bezier.form();
                   });
   }
 

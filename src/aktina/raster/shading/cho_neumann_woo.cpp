@@ -8,7 +8,7 @@
 // Y. Cho, U. Neumann, J. Woo, "Improved Specular Highlights with Adaptive Shading", CGI 1996.
 #include <algorithm>
 
-#include "aktina/raster/shading/corner_highlight.h"
+#include "aktina/raster/shading/highlight_form.h"
 #include "aktina/raster/shading/split_triangle.h"
 
 namespace aktina {

@@ -38,21 +38,6 @@ bool CornerHighlights::dark() const {
   return std::all_of(corner, corner + 3, [](const CornerHighlight& c) { return !(c.facing > 0) || is_black(c.peak); });
 }
 
-void CornerHighlights::add(const SpanPixels& pixels, const float* value, const LitArrays& out) const {
-  alignas(64) float factor[SpanPixels::kMost], peak[SpanPixels::kMost];
-  const size_t count = padded(size_t(pixels.count));
-  std::copy_n(value, count, factor);
-  if (std::min({corner[0].facing, corner[1].facing, corner[2].facing}) <= 0) {
-    pixels.linear(corner[0].facing, corner[1].facing, corner[2].facing, peak);
-    for (size_t i = 0; i < count; ++i) factor[i] = peak[i] > 0 ? factor[i] : 0;
-  }
-  for (int k = 0; k < 3; ++k) {
-    pixels.linear(corner[0].peak[k], corner[1].peak[k], corner[2].peak[k], peak);
-    float* const to = out.specular[k] + pixels.output;
-    for (size_t i = 0; i < count; ++i) to[i] += factor[i] * peak[i];
-  }
-}
-
 HighlightPlaces::HighlightPlaces(const HighlightCurve& curve, const CornerHighlights& h) {
   const Vec3 axis = normalize_or(h.corner[0].half + h.corner[1].half + h.corner[2].half, h.corner[0].half);
   const Frame frame(axis);
@@ -67,11 +52,6 @@ HighlightPlaces::HighlightPlaces(const HighlightCurve& curve, const CornerHighli
     constexpr float kRoot2 = 1.41421356f;
     corner[v].x = kRoot2 * (cosine * n.x + along * u.x), corner[v].y = kRoot2 * (cosine * n.y + along * u.y);
   }
-}
-
-ShadingPlan plan_of_highlights() {
-  return {.kind = ShadingPlan::Kind::spans,
-          .needs = ShadingPlan::kPosition | ShadingPlan::kNormal | ShadingPlan::kRadiance | ShadingPlan::kScreen};
 }
 
 }  // namespace aktina

@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-#include "aktina/base/simd.h"
+#include "aktina/raster/shading/highlight_power_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
@@ -120,15 +120,10 @@ uint32_t MayShine(const HighlightCurve& curve, float least, const Illuminator& l
 }
 
 void HighlightValues(const HighlightCurve& curve, float* values, size_t count) {
-  const F n = set(curve.exponent), one = set(1.0f), power = set(curve.half ? curve.exponent / 2 : curve.exponent);
+  const bool schlick = curve.power == HighlightCurve::Power::schlick;
   for (size_t i = 0; i < padded(count); i += kPart) {
-    const F base = one - hn::Max(load(values + i), zero());  // the cosine, or its square
-    F value = pow(base, power);
-    if (curve.power == HighlightCurve::Power::schlick) {
-      const F t = curve.half ? hn::Sqrt(hn::Max(base, zero())) : base;
-      value = hn::IfThenElseZero(t > zero(), t / hn::Max(fma(one - n, t, n), set(1e-30f)));
-    }
-    store(value, values + i);
+    const F fall = load(values + i);
+    store(schlick ? highlight_of<true>(curve, fall) : highlight_of<false>(curve, fall), values + i);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "aktina/raster/shading/corner_highlight.h"
+#include "aktina/raster/shading/highlight_form.h"
 #include "aktina/raster/shading/highlight_track.h"
 #include "aktina/raster/shading/span_pixels.h"
 
@@ -29,33 +29,35 @@ struct OnTrack {
   bool on[SpanPixels::kMost] = {};
 
   OnTrack(std::span<const HighlightCone> cones, const CornerValues& c, const SpanPixels& pixels) {
-    const auto last = size_t(pixels.count - 1);
-    const auto normal = [&](size_t i) {
-      return c.normal[0] * (1 - pixels.b1[i] - pixels.b2[i]) + c.normal[1] * pixels.b1[i] + c.normal[2] * pixels.b2[i];
-    };
-    const Vec3 ends[] = {normal(0) * pixels.weight[0], normal(last) * pixels.weight[1]};
-    for (const HighlightCone& cone : cones) {
-      const HighlightTrack track = highlight_track(cone, ends[0], ends[1], pixels.count);
-      for (int i = track.begin; i < track.end; ++i) on[i] = true;
+    for (const SpanPixels::Run& run : std::span(pixels.runs, size_t(pixels.run_count))) {
+      const Vec3 first = normal_at(c, pixels, run.begin) * run.weight[0];
+      const Vec3 last = normal_at(c, pixels, run.begin + run.count - 1) * run.weight[1];
+      for (const HighlightCone& cone : cones) {
+        const HighlightTrack track = highlight_track(cone, first, last, run.count);
+        std::fill(on + run.begin + track.begin, on + run.begin + track.end, true);
+      }
     }
   }
-  bool any(int begin, int end) const {
-    return std::any_of(on + begin, on + end, [](bool flag) { return flag; });
+  static Vec3 normal_at(const CornerValues& c, const SpanPixels& pixels, int i) {
+    const float b1 = pixels.b1[i], b2 = pixels.b2[i];
+    return c.normal[0] * (1 - b1 - b2) + c.normal[1] * b1 + c.normal[2] * b2;
+  }
+  bool any_of_block(int begin) const {
+    return std::any_of(on + begin, on + begin + kLanes, [](bool flag) { return flag; });
   }
 };
 
+/// Evaluates the blocks of pixels that a track touches, and keeps what is on it.
 void draw(const OnTrack& track, const CornerValues& c, const SpanPixels& pixels, const Illuminator& light,
           const LitArrays& out) {
-  constexpr int kBlock = int(kLanes);
   for (int begin = 0; begin < pixels.count;) {
     int end = begin;
-    while (end < pixels.count && track.any(end, std::min(end + kBlock, pixels.count))) end += kBlock;
-    end = std::min(end, pixels.count);
-    if (end > begin) shade_highlights(c, pixels, begin, end - begin, light, out);
+    while (end < pixels.count && track.any_of_block(end)) end += int(kLanes);
+    if (end > begin) shade_highlights(c, pixels, begin, end, light, out);
     for (int k = 0; k < 3; ++k)
       for (int i = begin; i < end; ++i)
         if (!track.on[i]) out.specular[k][pixels.output + size_t(i)] = 0;
-    begin = end == begin ? begin + kBlock : end;
+    begin = std::max(end, begin + int(kLanes));
   }
 }
 

@@ -7,26 +7,12 @@
 // linear over a triangle; the common direction is each triangle's own, so that neighbours differ a little at an edge.
 //
 // C. W. A. M. van Overveld, B. Wyvill, "Hi-speed, hi-fi, hi-lights", 1996.
-#include "aktina/raster/shading/corner_highlight.h"
+#include <optional>
+
+#include "aktina/raster/shading/highlight_form.h"
 
 namespace aktina {
 namespace {
-
-/// One lamp's.
-struct TurnedHighlight {
-  HighlightCurve curve;
-  HighlightPlaces places;
-
-  void values(const SpanPixels& pixels, float* out) const {
-    alignas(64) float y[SpanPixels::kMost], z[SpanPixels::kMost];
-    const auto& [v0, v1, v2] = places.corner;
-    pixels.linear(v0.x, v1.x, v2.x, out);
-    pixels.linear(v0.y, v1.y, v2.y, y);
-    pixels.linear(v0.z, v1.z, v2.z, z);
-    for (size_t i = 0; i < padded(size_t(pixels.count)); ++i) out[i] = z[i] > 0 ? out[i] * out[i] + y[i] * y[i] : 1;
-    highlight_values(curve, out, size_t(pixels.count));
-  }
-};
 
 class OverveldHighlights final : public ShadingMethod {
  public:
@@ -38,10 +24,10 @@ class OverveldHighlights final : public ShadingMethod {
   void shade_spans(const TriangleGroup& t, int lane, std::span<const Span> spans, const Illuminator& light,
                    const LitArrays& out) const override {
     const HighlightCurve curve = sole_highlight_curve(light, "overveld_highlights");
-    shade_by_lamp(t, lane, spans, curve, light, out,
-                  [&](const CornerValues&, const CornerHighlights& h, size_t) -> std::optional<TurnedHighlight> {
-                    return TurnedHighlight{curve, HighlightPlaces(curve, h)};
-                  });
+    shade_by_lamp(t, lane, spans, curve, light, out, [&](const CornerValues&, const CornerHighlights& h, size_t) {
+      const HighlightPlaces places(curve, h);
+      return std::optional(PlaceForm{{places.corner[0], places.corner[1], places.corner[2]}});
+    });
   }
 };
 

@@ -3,39 +3,6 @@
 #include <algorithm>
 
 namespace aktina {
-namespace {
-
-/// Barycentric coordinates of corners 1 and 2 along a scanline, on the screen.
-struct OnLine {
-  double b1, b2, step1, step2;  // at the first pixel's centre; from pixel to pixel
-
-  OnLine(const Vec2d (&s)[3], double x, double y) {
-    const Vec2d e1 = s[1] - s[0], e2 = s[2] - s[0], p = Vec2d(x, y) - s[0];
-    const double area = e1.x * e2.y - e1.y * e2.x;
-    if (area == 0) {
-      b1 = b2 = 1.0 / 3, step1 = step2 = 0;
-      return;
-    }
-    b1 = (p.x * e2.y - p.y * e2.x) / area, step1 = e2.y / area;
-    b2 = (e1.x * p.y - e1.y * p.x) / area, step2 = -e1.y / area;
-  }
-};
-
-void place_pixels(const OnLine& line, const float (&weight)[3], int first, SpanPixels& out) {
-  for (int i = 0; i < out.count; ++i) {
-    const double along = first + i;
-    const auto s1 = float(line.b1 + along * line.step1), s2 = float(line.b2 + along * line.step2);
-    const float w0 = (1 - s1 - s2) * weight[0], w1 = s1 * weight[1], w2 = s2 * weight[2];
-    const float sum = w0 + w1 + w2, scale = 1 / sum;
-    if (i == 0) out.weight[0] = sum;
-    out.weight[1] = sum;
-    out.b1[i] = w1 * scale, out.b2[i] = w2 * scale;
-  }
-  for (size_t i = size_t(out.count); i < padded(size_t(out.count)); ++i)
-    out.b1[i] = out.b1[out.count - 1], out.b2[i] = out.b2[out.count - 1];
-}
-
-}  // namespace
 
 CornerValues::CornerValues(const TriangleGroup& t, int lane) {
   const auto i = size_t(lane);
@@ -47,54 +14,31 @@ CornerValues::CornerValues(const TriangleGroup& t, int lane) {
   }
 }
 
-void SpanPixels::linear(float at0, float at1, float at2, float* out) const {
-  const float d1 = at1 - at0, d2 = at2 - at0;
-  for (size_t i = 0; i < padded(size_t(count)); ++i) out[i] = at0 + d1 * b1[i] + d2 * b2[i];
-}
-
-void visit_pixels(const TriangleGroup& t, int lane, std::span<const Span> spans,
-                  FunctionRef<void(const SpanPixels&)> visit) {
-  const auto i = size_t(lane);
-  Vec2d screen[3];
-  for (int v = 0; v < 3; ++v) screen[v] = {t.screen[v][0][i], t.screen[v][1][i]};
-  const float weight[3] = {t.weight[0][i], t.weight[1][i], t.weight[2][i]};
-  SpanPixels pixels;
-  for (const Span& span : spans) {
-    const OnLine line(screen, span.first + 0.5, double(span.y));
-    for (int first = 0; first < span.count; first += SpanPixels::kMost) {
-      pixels.count = std::min(span.count - first, SpanPixels::kMost);
-      pixels.output = span.output + size_t(first);
-      place_pixels(line, weight, first, pixels);
-      visit(pixels);
-    }
-  }
-}
-
 void shade_linear(const CornerValues& c, const SpanPixels& pixels, bool specular, const LitArrays& out) {
   for (int k = 0; k < 3; ++k) {
-    pixels.linear(c.light[0].diffuse[k], c.light[1].diffuse[k], c.light[2].diffuse[k], out.diffuse[k] + pixels.output);
+    const auto& [c0, c1, c2] = c.light;
+    pixels.linear(c0.diffuse[k], c1.diffuse[k], c2.diffuse[k], 0, pixels.count, out.diffuse[k] + pixels.output);
     float* const to = out.specular[k] + pixels.output;
     if (specular) {
-      pixels.linear(c.light[0].specular[k], c.light[1].specular[k], c.light[2].specular[k], to);
+      pixels.linear(c0.specular[k], c1.specular[k], c2.specular[k], 0, pixels.count, to);
     } else {
-      std::fill_n(to, padded(size_t(pixels.count)), 0.0f);
+      std::fill_n(to, pixels.count, 0.0f);
     }
   }
 }
 
-void shade_highlights(const CornerValues& c, const SpanPixels& pixels, int first, int count, const Illuminator& light,
+void shade_highlights(const CornerValues& c, const SpanPixels& pixels, int begin, int end, const Illuminator& light,
                       const LitArrays& out) {
   alignas(64) float position[3][SpanPixels::kMost], normal[3][SpanPixels::kMost], diffuse[3][SpanPixels::kMost];
+  const float *from[3], *across[3];
   LitArrays to;
   for (int k = 0; k < 3; ++k) {
-    pixels.linear(c.position[0][k], c.position[1][k], c.position[2][k], position[k]);
-    pixels.linear(c.normal[0][k], c.normal[1][k], c.normal[2][k], normal[k]);
-    to.diffuse[k] = diffuse[k], to.specular[k] = out.specular[k] + pixels.output + first;
+    pixels.linear(c.position[0][k], c.position[1][k], c.position[2][k], begin, end, position[k]);
+    pixels.linear(c.normal[0][k], c.normal[1][k], c.normal[2][k], begin, end, normal[k]);
+    from[k] = position[k] + begin, across[k] = normal[k] + begin;
+    to.diffuse[k] = diffuse[k], to.specular[k] = out.specular[k] + pixels.output + begin;
   }
-  light.evaluate({size_t(count),
-                  {position[0] + first, position[1] + first, position[2] + first},
-                  {normal[0] + first, normal[1] + first, normal[2] + first}},
-                 to);
+  light.evaluate({size_t(end - begin), {from[0], from[1], from[2]}, {across[0], across[1], across[2]}}, to);
 }
 
 }  // namespace aktina

@@ -102,7 +102,7 @@ Lit SplitTriangle::at(float b1, float b2) const {
 }
 
 void SplitTriangle::shade(const SpanPixels& pixels, const LitArrays& out) const {
-  for (size_t i = 0; i < padded(size_t(pixels.count)); ++i) {
+  for (size_t i = 0; i < size_t(pixels.count); ++i) {
     const Lit lit = at(pixels.b1[i], pixels.b2[i]);
     for (int k = 0; k < 3; ++k) {
       out.diffuse[k][pixels.output + i] = lit.diffuse[k];

@@ -7,7 +7,7 @@
 // Tai, Hsu, three-tier shading, 2002.
 #include <algorithm>
 
-#include "aktina/raster/shading/corner_highlight.h"
+#include "aktina/raster/shading/highlight_form.h"
 #include "aktina/raster/shading/span.h"
 
 namespace aktina {

@@ -10,11 +10,12 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <tuple>
 
 #include "aktina/base/error.h"
-#include "aktina/raster/shading/corner_highlight.h"
+#include "aktina/raster/shading/highlight_form.h"
 
 namespace aktina {
 namespace {
@@ -33,44 +34,22 @@ class SpecularityMap {
     highlight_values(curve, texels, kSize * kSize);
   }
 
-  /// @param u, v  a place: dark beyond the unit disc
-  float operator()(float u, float v) const {
-    constexpr float kLast = float(kSize - 1) - 1e-3f;
-    const float x = std::min(std::max(0.0f, u * kScale + kMiddle), kLast);
-    const float y = std::min(std::max(0.0f, v * kScale + kMiddle), kLast);
-    const auto left = size_t(x), top = size_t(y);
-    const float s = x - float(left), t = y - float(top);
-    const float* const texel = lines_[0].v + top * kSize + left;
-    return (1 - t) * ((1 - s) * texel[0] + s * texel[1]) + t * ((1 - s) * texel[kSize] + s * texel[kSize + 1]);
+  MapForm form(const HighlightPlaces& places) const {
+    MapForm form{lines_[0].v, int(kSize), {}};
+    for (int v = 0; v < 3; ++v) form.corner[v] = kScale * on_map(places.corner[v]) + Vec2(kMiddle);
+    return form;
   }
 
  private:
   static constexpr float kMiddle = kSize / 2, kScale = kMiddle - 1;  // a texel has the peak
+  static Vec2 on_map(Vec3 place) {
+    const Vec2 p(place.x, place.y);
+    if (place.z >= 0) return p;
+    const float r = std::sqrt(p.x * p.x + p.y * p.y);  // behind: beyond the disc
+    return r > 0 ? p * (std::max(2 - r, 1.0f) / r) : Vec2(2, 0);
+  }
   static float coordinate(size_t i) { return (float(i) - kMiddle) / kScale; }
   std::vector<Lanes> lines_;
-};
-
-/// One lamp's.
-struct MappedHighlight {
-  const SpecularityMap* map;
-  Vec2 place[3];
-
-  MappedHighlight(const SpecularityMap& on, const HighlightPlaces& places) : map(&on) {
-    for (int v = 0; v < 3; ++v) {
-      const Vec3 d = places.corner[v];
-      place[v] = {d.x, d.y};
-      if (d.z >= 0) continue;  // behind: beyond the disc
-      const float r = std::sqrt(d.x * d.x + d.y * d.y);
-      place[v] = r > 0 ? place[v] * (std::max(2 - r, 1.0f) / r) : Vec2(2, 0);
-    }
-  }
-
-  void values(const SpanPixels& pixels, float* out) const {
-    alignas(64) float v[SpanPixels::kMost];
-    pixels.linear(place[0].x, place[1].x, place[2].x, out);
-    pixels.linear(place[0].y, place[1].y, place[2].y, v);
-    for (size_t i = 0; i < padded(size_t(pixels.count)); ++i) out[i] = (*map)(out[i], v[i]);
-  }
 };
 
 /// Maps for the highlights of a scene's materials, made as they are met.
@@ -107,10 +86,10 @@ class VlasicShading final : public ShadingMethod {
   void shade_spans(const TriangleGroup& t, int lane, std::span<const Span> spans, const Illuminator& light,
                    const LitArrays& out) const override {
     const HighlightCurve curve = sole_highlight_curve(light, "vlasic");
-    shade_by_lamp(t, lane, spans, curve, light, out,
-                  [&](const CornerValues&, const CornerHighlights& h, size_t) -> std::optional<MappedHighlight> {
-                    return MappedHighlight(maps_.of(curve), HighlightPlaces(curve, h));
-                  });
+    const SpecularityMap* const map = curve.power == HighlightCurve::Power::none ? nullptr : &maps_.of(curve);
+    shade_by_lamp(t, lane, spans, curve, light, out, [&](const CornerValues&, const CornerHighlights& h, size_t) {
+      return std::optional(map->form(HighlightPlaces(curve, h)));
+    });
   }
 
  private:
