@@ -76,7 +76,7 @@ TEST(ViewFactors, SurfacesOfSeveralPiecesAddUp) {
 
 TEST(ViewFactors, OccludersHideOnly) {
   ViewFactorScene scene = one_each({unit_square(), ceiling(1)});
-  scene.occluders = {moved(unit_square(), {0, 0, 0.5})};
+  scene.occluders = {{{{-0.1, -0.1, 0.5}, {1.1, -0.1, 0.5}, {1.1, 1.1, 0.5}, {-0.1, 1.1, 0.5}}}};
   const ViewFactors f = view_factors(scene, {});
   EXPECT_EQ(f.size(), 2U);
   EXPECT_EQ(f.at(0, 1), 0);

@@ -1,27 +1,401 @@
 #include "aktina/radiosity/viewfactor/exchange.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "aktina/base/parallel.h"
-#include "aktina/radiosity/formfactor/occluded.h"
+#include "aktina/base/random.h"
+#include "aktina/radiosity/formfactor/polygon_to_polygon.h"
+#include "aktina/radiosity/formfactor/shadow.h"
+#include "aktina/radiosity/viewfactor/kernels.h"
+#include "aktina/radiosity/viewfactor/leaf_pair.h"
+#include "aktina/radiosity/viewfactor/receiver_points.h"
+#include "aktina/radiosity/viewfactor/sight_rays.h"
 
 namespace aktina {
+namespace {
 
-Exchanges exchanges(const Faces& faces, double target_error, Progress* progress) {
-  Exchanges result;
-  result.rows.resize(faces.size());
-  if (progress) progress->begin("view factors", "surfaces", faces.size());
-  parallel_for(faces.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
+constexpr double kSinglePrecision = 1e-5;  // targets from here on are met by floats
+constexpr size_t kMostCandidates = 64;     // blockers between two leaves beyond which each pair is left to rays,
+constexpr size_t kMostClipped = 24;        // and between two fragments
+constexpr double kRayError = 2.5e-3;       // of a share, that rays come down to
+constexpr double kBetweenPoints = 1e-3;    // of a share, that sixteen points may miss; measured
+constexpr int kMostHalvings = 8;
+constexpr size_t kMostCells = 6000;  // for one pair
+
+/// What all pairs share.
+struct Setting {
+  const Faces& faces;
+  const Leaves& leaves;
+  BlockerTree blockers;
+  double target, tolerance, unit;  // unit: the scene's size, m; the kernels count in it
+  SightRays rays;
+};
+
+struct Counts {
+  double largest_excess = 0;
+  uint64_t held = 0;
+};
+
+template <class T>
+class LeafPair {
+ public:
+  LeafPair(const Setting& setting, uint32_t a, uint32_t b, std::vector<uint32_t> candidates, Counts& counts)
+      : setting_(setting),
+        a_(setting.leaves.leaves[a]),
+        b_(setting.leaves.leaves[b]),
+        candidates_(std::move(candidates)),
+        counts_(counts),
+        block_(std::make_unique<ExchangeBlock>()) {
+    block_->a = a, block_->b = b;
+  }
+
+  /// Null where nothing is exchanged.
+  std::unique_ptr<ExchangeBlock> run() {
+    choose_sides();
+    prepare_sources();
+    if (source_mask_ == 0) return nullptr;
+    crowded_ = candidates_.size() > kMostCandidates;
+    if (!crowded_) prepare_blockers();
+    bool any = false;
+    for (uint32_t r = 0; r < receiver_->count; ++r) any = receive(r) || any;
+    return any ? std::move(block_) : nullptr;
+  }
+
+ private:
+  const Fragment& fragment(const Leaf& leaf, uint32_t k) const { return setting_.leaves.fragments[leaf.first + k]; }
+
+  bool is_cut(const Leaf& leaf, const Plane& plane) const {
+    for (uint32_t k = 0; k < leaf.count; ++k)
+      for (const Point3d& p : fragment(leaf, k).face.vertices)
+        if (plane.height(p) < -setting_.tolerance) return true;
+    return false;
+  }
+
+  double clearance(const Leaf& leaf) const {
+    double nearest = INFINITY;
+    for (const uint32_t k : candidates_)
+      for (const Contour& face : setting_.blockers[k].faces)
+        for (const Point3d& p : face) nearest = std::min(nearest, leaf.plane.height(p));
+    return nearest;
+  }
+
+  /// A leaf that the other's plane cuts is the source, whose polygons can be cut for all points at once. Else the one
+  /// nearer to what hides it is, for there the shadow's edge is sharp; else the larger.
+  void choose_sides() {
+    const bool a_cut = is_cut(a_, b_.plane), b_cut = is_cut(b_, a_.plane);
+    bool a_receives = a_.largest <= b_.largest;
+    if (a_cut != b_cut)
+      a_receives = b_cut;
+    else if (!candidates_.empty())
+      if (const double from_a = clearance(a_), from_b = clearance(b_); from_a != from_b) a_receives = from_a > from_b;
+    receiver_ = a_receives ? &a_ : &b_, source_ = a_receives ? &b_ : &a_;
+    receiver_cut_ = a_receives ? a_cut : b_cut, source_cut_ = a_receives ? b_cut : a_cut;
+    origin_ = source_->centre;
+  }
+
+  Contour in_front(const Contour& contour, const Plane& plane, bool cut) const {
+    return cut ? clip(contour, plane, setting_.tolerance) : contour;
+  }
+
+  void store(T (&to)[3], Point3d p) const {
+    for (int k = 0; k < 3; ++k) to[k] = T((p[k] - origin_[k]) / setting_.unit);
+  }
+
+  void prepare_sources() {
+    lanes_.count = 3;
+    for (uint32_t s = 0; s < source_->count; ++s) {
+      parts_[s] = in_front(fragment(*source_, s).face.vertices, receiver_->plane, source_cut_);
+      if (parts_[s].empty()) continue;
+      source_mask_ |= 1U << s;
+      lanes_.count = std::max(lanes_.count, int(parts_[s].size()));
+    }
+    const Point3d far = source_->centre + (2 * source_->radius + 1) * receiver_->plane.normal;
+    for (size_t s = 0; s < kLeaf; ++s)
+      for (int k = 0; k < lanes_.count; ++k) {
+        const Contour& part = parts_[s];
+        const Point3d p = part.empty() ? far : part[std::min(size_t(k), part.size() - 1)];
+        for (int axis = 0; axis < 3; ++axis) lanes_.corners[k][axis][s] = T((p[axis] - origin_[axis]) / setting_.unit);
+      }
+    for (int k = 0; k < 3; ++k) normal_[k] = T(receiver_->plane.normal[k]);
+  }
+
+  void prepare_blockers() {
+    for (const uint32_t k : candidates_) {
+      const Blocker& blocker = setting_.blockers[k];
+      heights_of_receiver_.emplace_back(setting_.leaves, *receiver_, blocker, setting_.tolerance);
+      heights_of_source_.emplace_back(setting_.leaves, *source_, blocker, setting_.tolerance);
+      std::vector<BlockingPolygon<T>>& polygons = blocking_.emplace_back();
+      contours_.emplace_back();
+      for (const Contour& face : blocker.faces) {
+        const Contour part = clip(clip(face, lifted(receiver_->plane), 0), lifted(source_->plane), 0);
+        if (part.size() > kMostBlocking) continue;
+        polygons.push_back(blocking_polygon(part, face, blocker));
+        if (!part.empty()) contours_.back().push_back(part);
+      }
+      if (!polygons.empty()) polygons[0].first = true;
+    }
+  }
+
+  /// Edges that lie in the planes of receiver or source would coincide with those of the source.
+  Plane lifted(const Plane& plane) const {
+    return {plane.point + (sizeof(T) == 4 ? 1e-6 : 1e-11) * setting_.unit * plane.normal, plane.normal};
+  }
+
+  /// @param face  that `part` (empty where nothing of it is in between) was cut from
+  BlockingPolygon<T> blocking_polygon(const Contour& part, const Contour& face, const Blocker& blocker) const {
+    BlockingPolygon<T> polygon{};
+    polygon.count = int(part.size());
+    polygon.two_sided = !blocker.closed, polygon.closed = blocker.closed;
+    Vec3d normal(0);
+    for (size_t k = 0; k < part.size(); ++k) store(polygon.corners[k], part[k]);
+    for (size_t k = 2; k < face.size(); ++k) normal += cross(face[k - 1] - face[0], face[k] - face[0]);
+    normal = normalize(normal);
+    for (int k = 0; k < 3; ++k) polygon.normal[k] = T(normal[k]);
+    polygon.offset = T(dot(normal, face[0] - origin_) / setting_.unit);
+    return polygon;
+  }
+
+  /// One fragment against all sources.
+  bool receive(uint32_t r) {
+    const Fragment& receiver = fragment(*receiver_, r);
+    const Contour part = in_front(receiver.face.vertices, source_->plane, receiver_cut_);
+    if (part.empty()) return false;
+    double areas[kLeaf] = {}, errors[kLeaf] = {};
+    unobstructed(receiver.face, part, areas, errors);
+    bool any = false;
+    for (uint32_t s = 0; s < source_->count; ++s) {
+      if (!(source_mask_ >> s & 1) || !(areas[s] > 0)) continue;
+      const Estimate e = past_blockers(r, part, s, {areas[s], errors[s]});
+      any = any || e.value > 0;
+      const bool forward = receiver_ == &a_;
+      (forward ? block_->area[r][s] : block_->area[s][r]) = e.value;
+      (forward ? block_->error[r][s] : block_->error[s][r]) = float(e.error);
+    }
+    return any;
+  }
+
+  /// How many Gauss points on each axis a pair needs; 0: it is too near for any. The error of n points falls as the
+  /// 2n-th power of size over distance; measured on squares: 0.02 F of it.
+  int order(const Face& receiver, const Face& source) const {
+    const double distance = length(receiver.centre - source.centre), sizes = receiver.radius + source.radius;
+    if (distance < 2 * sizes) return 0;
+    const double ratio = receiver.radius / distance, square = ratio * ratio;
+    const double f = std::min(receiver.area, source.area) / (kPi * distance * distance) * 0.02;
+    const double allowed = 0.02 * setting_.target * std::min(1.0, source.area / receiver.area);
+    if (f * square * square <= allowed && distance > 3 * sizes) return 2;
+    return f * square * square * square * square <= allowed ? 4 : f * std::pow(square, 6) <= allowed ? 6 : 0;
+  }
+
+  void unobstructed(const Face& receiver, const Contour& part, double (&areas)[kLeaf], double (&errors)[kLeaf]) {
+    int n = 0;
+    uint32_t near = 0;
+    int orders[kLeaf] = {};
+    for (uint32_t s = 0; s < source_->count; ++s) {
+      if (!(source_mask_ >> s & 1)) continue;
+      orders[s] = order(receiver, fragment(*source_, s).face);
+      if (orders[s] == 0) near |= 1U << s;
+      n = std::max(n, orders[s]);
+    }
+    if (n > 0) by_points(part, n, areas);
+    for (uint32_t s = 0; s < source_->count; ++s) {
+      if (!(source_mask_ >> s & 1)) continue;
+      const Face& source = fragment(*source_, s).face;
+      if (near >> s & 1) {
+        areas[s] = exchange_area(receiver, source, part, parts_[s]);
+        errors[s] = 1e-13 * std::min(receiver.area, source.area);
+      } else {
+        const double ratio = receiver.radius / length(receiver.centre - source.centre);
+        errors[s] = areas[s] * (0.02 * std::pow(ratio, 2 * n) + (sizeof(T) == 4 ? 3e-6 : 1e-12));
+      }
+    }
+  }
+
+  void by_points(const Contour& part, int n, double (&areas)[kLeaf]) {
+    samples_.clear();
+    add_gauss_points(part, n, samples_);
+    points_.resize(samples_.size());
+    for (size_t k = 0; k < samples_.size(); ++k) {
+      store(points_[k].x, samples_[k].x);
+      points_[k].weight = T(samples_[k].area);
+    }
+    alignas(64) T sums[kLeaf] = {};
+    add_lanes(lanes_, points_.data(), points_.size(), normal_, sums);
+    for (size_t s = 0; s < kLeaf; ++s) areas[s] = std::max(0.0, double(sums[s]));
+  }
+
+  /// What may hide source s from receiver r. False where one blocker hides all of it.
+  bool find_between(uint32_t r, uint32_t s) {
+    between_.clear(), contours_between_.clear(), blockers_between_ = 0;
+    for (size_t k = 0; k < candidates_.size(); ++k) {
+      const FragmentHeights &of_r = heights_of_receiver_[k], &of_s = heights_of_source_[k];
+      if (of_r.outside(r) & of_s.outside(s)) continue;
+      if (blocks_all(
+              of_r.corners(r), of_s.corners(s), setting_.blockers[candidates_[k]], setting_.tolerance,
+              [&](size_t corner, size_t bound) { return of_r.height(r, corner, bound); },
+              [&](size_t corner, size_t bound) { return of_s.height(s, corner, bound); }))
+        return false;
+      if (++blockers_between_ > kMostClipped) return true;
+      between_.insert(between_.end(), blocking_[k].begin(), blocking_[k].end());
+      contours_between_.insert(contours_between_.end(), contours_[k].begin(), contours_[k].end());
+    }
+    return true;
+  }
+
+  Estimate past_blockers(uint32_t r, const Contour& part, uint32_t s, Estimate open) {
+    if (!crowded_) {
+      if (!find_between(r, s)) return {0, 0};
+      if (between_.empty()) return open;
+    }
+    const double smaller = std::min(fragment(*receiver_, r).face.area, fragment(*source_, s).face.area);
+    const double wanted = 0.25 * setting_.target * smaller / open.value;  // of the visible share
+    Estimate share{0, 1};
+    if (!crowded_ && blockers_between_ <= kMostClipped) share = by_clipping(part, s, wanted, wanted < kRayError);
+    if (share.error > wanted) {
+      const Estimate sent = setting_.rays.visible_share(part, receiver_->plane.normal, parts_[s], source_->plane.normal,
+                                                        wanted, hash_combine(receiver_->first + r, source_->first + s));
+      if (sent.error < share.error) share = sent;
+    }
+    if (share.value > 1) {
+      ++counts_.held;
+      counts_.largest_excess = std::max(counts_.largest_excess, open.value * (share.value - 1) / smaller);
+      share.value = 1;
+    }
+    return {open.value * share.value, open.error + open.value * share.error};
+  }
+
+  /// Integrals over a cell: unobstructed; what is certainly seen; what may be seen.
+  struct Shares {
+    double whole = 0, low = 0, high = 0;
+    double seen() const { return 0.5 * (low + high); }
+    void operator+=(const Shares& other) { whole += other.whole, low += other.low, high += other.high; }
+  };
+
+  /// The visible share: cells of the receiver are cut in four until four agree with one.
+  /// @param exact  where shadows of several blockers overlap at a point their union is found (slow), else they are left
+  ///               uncertain
+  Estimate by_clipping(const Contour& part, uint32_t s, double wanted, bool exact) {
+    source_index_ = s, exact_ = exact;
+    polygon_.count = int(parts_[s].size());
+    for (int k = 0; k < polygon_.count; ++k) store(polygon_.corners[k], parts_[s][size_t(k)]);
+    const std::vector<Cell> cells = cells_of(part);
+    std::vector<Shares> coarse;
+    Shares first;
+    for (const Cell& cell : cells) first += coarse.emplace_back(look_from(cell));
+    if (!(first.whole > 0)) return {1, 0};
+    // Where sixteen points see no shadow or nothing else, a corner of one may still pass between them.
+    const bool uniform = first.low >= (1 - 1e-5) * first.whole || first.high <= 1e-5 * first.whole;
+    if (uniform && kBetweenPoints <= wanted) return {first.seen() / first.whole, kBetweenPoints};
+    if (first.high - first.low > 2 * std::max(wanted, 1e-3) * first.whole && !exact) return {0, 1};
+    cells_left_ = kMostCells;
+    Shares sum;
+    double error = uniform ? 0.04 * kBetweenPoints * first.whole : 0;
+    for (size_t k = 0; k < cells.size(); ++k) refine(cells[k], coarse[k], 0.5 * wanted * first.whole, 0, sum, error);
+    return {sum.seen() / sum.whole, (error + 0.5 * (sum.high - sum.low)) / sum.whole};
+  }
+
+  void refine(const Cell& cell, const Shares& coarse, double allowed, int halvings, Shares& sum, double& error) {
+    std::array<Shares, 4> quarters;
+    Shares fine;
+    for (int k = 0; k < 4; ++k) fine += quarters[size_t(k)] = look_from(cell.quarter(k));
+    cells_left_ -= std::min<size_t>(cells_left_, 4);
+    // Of the share, for the rule that both sums follow is not exact for the unobstructed factor either.
+    const double difference =
+        std::abs(fine.seen() - (coarse.whole > 0 ? coarse.seen() / coarse.whole * fine.whole : 0));
+    if (difference <= allowed || halvings == kMostHalvings || cells_left_ == 0) {
+      sum += fine, error += 0.5 * difference;  // kinks, at worst: half of the difference is left
+      return;
+    }
+    for (int k = 0; k < 4; ++k) refine(cell.quarter(k), quarters[size_t(k)], 0.5 * allowed, halvings + 1, sum, error);
+  }
+
+  Shares look_from(const Cell& cell) {
+    const std::array<SurfaceSample, kLeaf> samples = gauss_points(cell);
+    PointLanes<T> lanes;
+    for (size_t k = 0; k < kLeaf; ++k)
+      for (int axis = 0; axis < 3; ++axis) lanes.x[axis][k] = T((samples[k].x[axis] - origin_[axis]) / setting_.unit);
+    Seen<T> seen;
+    look(lanes, normal_, polygon_, between_.data(), between_.size(), seen);
+    Shares shares;
+    for (size_t k = 0; k < kLeaf; ++k) {
+      const double whole = double(seen.whole[k]), hidden = double(seen.hidden[k]), most = double(seen.most[k]);
+      if (!(whole > 0)) continue;
+      double low = std::max(0.0, whole - hidden), high = std::max(0.0, whole - most);
+      if (exact_ && high - low > 1e-6 * whole)
+        low = high = visible_part(samples[k].x, receiver_->plane.normal, {&parts_[source_index_], 1}, contours_between_,
+                                  setting_.tolerance)
+                         .visible;
+      shares += {samples[k].area * whole, samples[k].area * low, samples[k].area * high};
+    }
+    return shares;
+  }
+
+  const Setting& setting_;
+  const Leaf &a_, &b_;
+  std::vector<uint32_t> candidates_;  // blockers that may stand between
+  Counts& counts_;
+  std::unique_ptr<ExchangeBlock> block_;
+  const Leaf *receiver_ = nullptr, *source_ = nullptr;
+  bool receiver_cut_ = false, source_cut_ = false;
+  Point3d origin_{0};
+  std::array<Contour, kLeaf> parts_;  // of the sources, in front of the receiver
+  uint32_t source_mask_ = 0;
+  SourceLanes<T> lanes_;
+  T normal_[3];
+  std::vector<FragmentHeights> heights_of_receiver_, heights_of_source_;  // by candidate
+  std::vector<std::vector<BlockingPolygon<T>>> blocking_;                 // by candidate
+  std::vector<std::vector<Contour>> contours_;                            // the same
+  bool crowded_ = false;                                                  // too many candidates to look at
+  // Of one pair.
+  std::vector<BlockingPolygon<T>> between_;
+  std::vector<Contour> contours_between_;
+  size_t blockers_between_ = 0, cells_left_ = 0;
+  SourcePolygon<T> polygon_{};
+  uint32_t source_index_ = 0;
+  bool exact_ = false;
+  std::vector<SurfaceSample> samples_;
+  std::vector<ReceiverPoint<T>> points_;
+};
+
+template <class T>
+void run_all(const Setting& setting, Exchanges& result, Progress* progress) {
+  const size_t n = setting.leaves.leaves.size();
+  std::vector<Counts> counts(n);
+  parallel_for(n, 1, [&](size_t begin, size_t end) {
+    for (size_t a = begin; a < end; ++a) {
       if (progress) progress->throw_if_cancelled();
-      for (size_t j = i + 1; j < faces.size(); ++j) {
-        const double tolerance = target_error * std::min(1.0, faces[j].area / faces[i].area);
-        const Estimate e = exchange_area(faces[i], faces[j], faces.blockers(i, j), tolerance);
-        if (e.value > 0) result.rows[i].push_back({uint32_t(j), float(e.error), e.value});
+      for (size_t b = a + 1; b < n; ++b) {
+        LeafView view =
+            look_between(setting.leaves.leaves[a], setting.leaves.leaves[b], setting.blockers, setting.tolerance);
+        if (!view.facing || view.blocked) continue;
+        if (auto block = LeafPair<T>(setting, uint32_t(a), uint32_t(b), std::move(view.candidates), counts[a]).run())
+          result.blocks[a].push_back(std::move(block));
       }
       if (progress) progress->advance();
     }
   });
+  for (const Counts& c : counts) {
+    result.largest_excess = std::max(result.largest_excess, c.largest_excess);
+    result.held += c.held;
+  }
+}
+
+}  // namespace
+
+Exchanges exchanges(const Faces& faces, double target_error, Progress* progress) {
+  Exchanges result;
+  result.leaves = make_leaves(faces);
+  result.blocks.resize(result.leaves.leaves.size());
+  double size = 0;
+  for (const Leaf& leaf : result.leaves.leaves)
+    size = std::max(size, length(leaf.centre - result.leaves.leaves[0].centre) + leaf.radius);
+  const bool single = target_error >= kSinglePrecision;
+  const double tolerance = 1e-9 * size + 4e-15 * length(result.leaves.leaves[0].centre);
+  const Setting setting{faces,           result.leaves, BlockerTree(find_blockers(faces, single ? 3e-6 : 1e-10)),
+                        target_error,    tolerance,     size,
+                        SightRays(faces)};
+  if (progress) progress->begin("view factors", "leaves", result.leaves.leaves.size());
+  single ? run_all<float>(setting, result, progress) : run_all<double>(setting, result, progress);
   return result;
 }
 

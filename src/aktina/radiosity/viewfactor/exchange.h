@@ -1,24 +1,26 @@
-// Exchange areas A_i F_ij between all planar pieces of a scene, each pair once.
+// Exchange areas A_i F_ij between all surfaces of a scene, each pair once.
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "aktina/radiosity/formfactor/faces.h"
+#include "aktina/radiosity/viewfactor/leaves.h"
 #include "aktina/radiosity/viewfactor/view_factors.h"
 
 namespace aktina {
 
-/// One pair of pieces that see each other.
-struct Exchange {
-  uint32_t other;  // the piece of higher number
-  float error;     // estimate, m^2
-  double area;     // A_i F_ij, m^2
+/// Between the fragments of two leaves, the first of lower number.
+struct ExchangeBlock {
+  uint32_t a, b;              // leaves
+  double area[kLeaf][kLeaf];  // A_i F_ij, m^2
+  float error[kLeaf][kLeaf];  // estimates, m^2
 };
 
 struct Exchanges {
-  std::vector<std::vector<Exchange>> rows;  // of each piece, by ascending `other`
-  double largest_excess = 0;                // of a factor above its unobstructed value
-  uint64_t held = 0;
+  Leaves leaves;
+  std::vector<std::vector<std::unique_ptr<ExchangeBlock>>> blocks;  // of each leaf: with those above; none where all 0
+  double largest_excess = 0;  // of a factor above its unobstructed value, before it was held to that
+  uint64_t held = 0;          // pairs
 };
 
 /// @param target_error  of F_ij and of F_ji

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aktina/base/error.h"
+#include "aktina/base/parallel.h"
 #include "aktina/base/statistics.h"
 #include "aktina/radiosity/viewfactor/exchange.h"
 
@@ -30,75 +31,89 @@ void check_memory(size_t pieces, size_t surfaces, const ViewFactorOptions& optio
               fmt::format("about {} polygons fit", size_t(fits)));
 }
 
-/// Both directions of each pair of pieces, row after row.
-struct PieceRows {
-  std::vector<uint64_t> starts;
-  std::vector<Exchange> entries;
-
-  explicit PieceRows(Exchanges& half) {
-    const size_t n = half.rows.size();
-    starts.assign(n + 1, 0);
-    for (size_t i = 0; i < n; ++i) {
-      starts[i + 1] += half.rows[i].size();
-      for (const Exchange& e : half.rows[i]) ++starts[e.other + 1];
-    }
-    for (size_t i = 0; i < n; ++i) starts[i + 1] += starts[i];
-    entries.resize(starts[n]);
-    std::vector<uint64_t> next(starts.begin(), starts.end() - 1);
-    for (size_t i = 0; i < n; ++i) {  // ascending: the pairs below i have come before
-      for (const Exchange& e : half.rows[i]) {
-        entries[next[i]++] = e;
-        entries[next[e.other]++] = {uint32_t(i), e.error, e.area};
-      }
-      half.rows[i] = {};
-    }
-  }
-};
-
-/// Adds up the pieces of each surface. A surface of several pieces may see itself.
+/// Adds up the fragments of each surface. A surface of several pieces may see itself.
 class Assembler {
  public:
-  Assembler(const ViewFactorScene& scene, const Faces& faces, const PieceRows& rows)
-      : scene_(scene), rows_(rows), members_(scene.surfaces()), sums_(scene.surfaces()), errors_(scene.surfaces()) {
+  Assembler(const ViewFactorScene& scene, const Faces& faces, const Exchanges& exchanges)
+      : leaves_(exchanges.leaves), members_(scene.surfaces()), below_(exchanges.blocks.size()), exchanges_(exchanges) {
     result_.names = scene.names;
     result_.areas.assign(scene.surfaces(), 0);
-    for (size_t p = 0; p < faces.size(); ++p) {
-      members_[scene.owners[p]].push_back(uint32_t(p));
-      result_.areas[scene.owners[p]] += faces[p].area;
-    }
+    for (size_t p = 0; p < faces.size(); ++p) result_.areas[scene.owners[p]] += faces[p].area;
+    for (const Fragment& fragment : leaves_.fragments) owners_.push_back(scene.owners[fragment.surface]);
+    for (uint32_t leaf = 0; leaf < leaves_.leaves.size(); ++leaf)
+      for (uint32_t k = 0; k < leaves_.leaves[leaf].count; ++k)
+        members_[owners_[leaves_.leaves[leaf].first + k]].push_back({leaf, k});
+    for (const auto& blocks : exchanges.blocks)
+      for (const auto& block : blocks) below_[block->b].push_back(block.get());
   }
 
   ViewFactors run() {
-    for (size_t i = 0; i < members_.size(); ++i) {
-      touched_.clear();
-      for (const uint32_t piece : members_[i]) add(piece);
-      std::sort(touched_.begin(), touched_.end());
-      for (const uint32_t j : touched_) {
-        result_.columns.push_back(j);
-        result_.factors.push_back(sums_[j] / result_.areas[i]);
-        result_.errors.push_back(float(errors_[j] / result_.areas[i]));
-        sums_[j] = errors_[j] = 0;
+    const size_t n = members_.size();
+    std::vector<Row> rows(n);
+    parallel_for(n, 64, [&](size_t begin, size_t end) {
+      Sums sums{std::vector<double>(n, 0), std::vector<double>(n, 0), {}};
+      for (size_t i = begin; i < end; ++i) rows[i] = row(i, sums);
+    });
+    uint64_t entries = 0;
+    for (const Row& row : rows) result_.starts.push_back(entries += row.columns.size());
+    result_.columns.resize(entries), result_.factors.resize(entries), result_.errors.resize(entries);
+    parallel_for(n, 64, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const auto at = std::ptrdiff_t(result_.starts[i]);
+        std::copy(rows[i].columns.begin(), rows[i].columns.end(), result_.columns.begin() + at);
+        std::copy(rows[i].factors.begin(), rows[i].factors.end(), result_.factors.begin() + at);
+        std::copy(rows[i].errors.begin(), rows[i].errors.end(), result_.errors.begin() + at);
       }
-      result_.starts.push_back(result_.columns.size());
-    }
+    });
     return std::move(result_);
   }
 
  private:
-  void add(uint32_t piece) {
-    for (uint64_t k = rows_.starts[piece]; k < rows_.starts[piece + 1]; ++k) {
-      const Exchange& e = rows_.entries[k];
-      const uint32_t j = scene_.owners[e.other];
-      if (sums_[j] == 0) touched_.push_back(j);
-      sums_[j] += e.area, errors_[j] += double(e.error);
+  struct Member {
+    uint32_t leaf, lane;
+  };
+  struct Row {
+    std::vector<uint32_t> columns;
+    std::vector<double> factors;
+    std::vector<float> errors;
+  };
+  struct Sums {
+    std::vector<double> areas, errors;
+    std::vector<uint32_t> touched;
+    void add(uint32_t j, double area, double error) {
+      if (!(area > 0)) return;
+      if (areas[j] == 0) touched.push_back(j);
+      areas[j] += area, errors[j] += error;
     }
-  }
+  };
 
-  const ViewFactorScene& scene_;
-  const PieceRows& rows_;
-  std::vector<std::vector<uint32_t>> members_;
-  std::vector<double> sums_, errors_;
-  std::vector<uint32_t> touched_;
+  Row row(size_t i, Sums& sums) const {
+    sums.touched.clear();
+    for (const Member& m : members_[i]) {
+      for (const auto& block : exchanges_.blocks[m.leaf])
+        for (uint32_t k = 0; k < leaves_.leaves[block->b].count; ++k)
+          sums.add(owner(block->b, k), block->area[m.lane][k], double(block->error[m.lane][k]));
+      for (const ExchangeBlock* block : below_[m.leaf])
+        for (uint32_t k = 0; k < leaves_.leaves[block->a].count; ++k)
+          sums.add(owner(block->a, k), block->area[k][m.lane], double(block->error[k][m.lane]));
+    }
+    std::sort(sums.touched.begin(), sums.touched.end());
+    Row row{sums.touched, {}, {}};
+    row.factors.reserve(row.columns.size()), row.errors.reserve(row.columns.size());
+    for (const uint32_t j : row.columns) {
+      row.factors.push_back(sums.areas[j] / result_.areas[i]);
+      row.errors.push_back(float(sums.errors[j] / result_.areas[i]));
+      sums.areas[j] = sums.errors[j] = 0;
+    }
+    return row;
+  }
+  uint32_t owner(uint32_t leaf, uint32_t lane) const { return owners_[leaves_.leaves[leaf].first + lane]; }
+
+  const Leaves& leaves_;
+  std::vector<std::vector<Member>> members_;              // fragments of each surface
+  std::vector<uint32_t> owners_;                          // surface of each fragment
+  std::vector<std::vector<const ExchangeBlock*>> below_;  // blocks of each leaf with those below it
+  const Exchanges& exchanges_;
   ViewFactors result_;
 };
 
@@ -118,7 +133,8 @@ double ViewFactors::at(size_t i, size_t j) const {
 
 double view_factor_bytes(size_t pieces, size_t surfaces) {
   const double p = double(pieces), n = double(surfaces);
-  return (1.5 * sizeof(Exchange)) * p * p + kBytesPerEntry * n * n;
+  const double per_pair = double(sizeof(ExchangeBlock)) / double(kLeaf * kLeaf);
+  return 0.5 * per_pair * p * p + 2 * kBytesPerEntry * n * n;
 }
 
 ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& options, Progress* progress) {
@@ -127,11 +143,9 @@ ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& 
     throw Error(Code::bad_param, "target_error", fmt::format("got {}", options.target_error), "accepted 1e-8 .. 0.1");
   check_memory(scene.pieces.size(), scene.surfaces(), options);
   const Faces faces({scene.pieces, scene.occluders});
-  Exchanges half = exchanges(faces, options.target_error, progress);
-  const double excess = half.largest_excess;
-  const uint64_t held = half.held;
-  ViewFactors result = Assembler(scene, faces, PieceRows(half)).run();
-  result.largest_excess = excess, result.held = held;
+  const Exchanges pairs = exchanges(faces, options.target_error, progress);
+  ViewFactors result = Assembler(scene, faces, pairs).run();
+  result.largest_excess = pairs.largest_excess, result.held = pairs.held;
   return result;
 }
 

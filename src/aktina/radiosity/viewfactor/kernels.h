@@ -1,0 +1,91 @@
+// The inner loops of the exchange areas, for all instruction sets: Lambert's closed form for many polygons or points at
+// once, and what convex polygons hide of it, exactly, by cutting contours with pyramids of sight.
+//
+// float where a relative error of about 1e-6 of the unobstructed factor is good enough, else double.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "aktina/radiosity/viewfactor/leaves.h"
+
+namespace aktina {
+
+inline constexpr size_t kMostSource = 5;     // corners of a source: four, and one more where a plane has cut it
+inline constexpr size_t kMostBlocking = 16;  // corners of a blocking polygon, cut by two planes
+
+/// acos(1 - u) / sqrt(u (2 - u)), the angle over its sine, for 0 <= u <= 1: powers of the polynomial that interpolates
+/// it at the Chebyshev points. Errors 1.3e-7 and 1.2e-14.
+template <class T>
+struct AngleOverSine;
+template <>
+struct AngleOverSine<float> {
+  static constexpr float kPowers[] = {1.0000000630F,  0.3333231652F, 0.1336003938F,  0.0544793815F, 0.0384734790F,
+                                      -0.0236417311F, 0.0587827332F, -0.0414066488F, 0.0171853692F};
+};
+template <>
+struct AngleOverSine<double> {
+  static constexpr double kPowers[] = {0.9999999999999942,    0.33333333333707943,    0.13333333293153288,
+                                       0.057142874167661596,  0.025396446254891757,   0.011549129921394632,
+                                       0.005282455244071319,  0.0027682688051003912,  -8.596667428228739e-05,
+                                       0.004676957073812865,  -0.009835323562752032,  0.01868105538342525,
+                                       -0.025420215262208206, 0.02583797410455276,    -0.018743827089983144,
+                                       0.00929633749457779,   -0.0028221040087481326, 0.00040559867476415066};
+};
+
+/// Sixteen polygons of one plane; corners beyond a polygon's own repeat its last one.
+template <class T>
+struct SourceLanes {
+  alignas(64) T corners[kMostSource][3][kLeaf];
+  int count;  // corners in use
+};
+
+/// A receiving point, and the area that it stands for.
+template <class T>
+struct ReceiverPoint {
+  T x[3], weight;
+};
+
+/// sums[j] += sum over points of weight F(point -> polygon j).  n: unit normal at the points.
+void add_lanes(const SourceLanes<float>& sources, const ReceiverPoint<float>* points, size_t count, const float n[3],
+               float sums[kLeaf]);
+void add_lanes(const SourceLanes<double>& sources, const ReceiverPoint<double>* points, size_t count, const double n[3],
+               double sums[kLeaf]);
+
+/// Convex polygons in front of receiver and source; all coordinates are relative to one origin.
+template <class T>
+struct BlockingPolygon {
+  T corners[kMostBlocking][3];
+  int count;            // 0: nothing of it is in between, it only tells where its blocker is
+  T normal[3], offset;  // plane: dot(normal, x) = offset
+  bool two_sided;       // hides when seen from behind, too
+  bool first;           // of its blocker: their shadows do not overlap
+  bool closed;          // points behind all of its polygons see nothing
+};
+
+/// Receiving points in lanes; as many as are a multiple of sixteen.
+template <class T>
+struct PointLanes {
+  alignas(64) T x[3][kLeaf];
+};
+
+/// What each point sees: to the whole source; hidden by all blockers, shadows that overlap counted twice; hidden by the
+/// blocker that hides most. Form factors.
+template <class T>
+struct Seen {
+  alignas(64) T whole[kLeaf], hidden[kLeaf], most[kLeaf];
+};
+
+template <class T>
+struct SourcePolygon {
+  T corners[kMostSource][3];
+  int count;
+};
+
+void look(const PointLanes<float>& points, const float n[3], const SourcePolygon<float>& source,
+          const BlockingPolygon<float>* blocking, size_t count, Seen<float>& seen);
+void look(const PointLanes<double>& points, const double n[3], const SourcePolygon<double>& source,
+          const BlockingPolygon<double>* blocking, size_t count, Seen<double>& seen);
+
+}  // namespace aktina
