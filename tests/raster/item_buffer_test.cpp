@@ -40,7 +40,7 @@ struct Reference {
       ScreenVertex s[3];
       for (size_t k = 0; k < 3; ++k) {
         const uint32_t v = triangles[t][k];
-        s[k] = {screen.x[v], screen.y[v], screen.depth[v], 1};
+        s[k] = {screen[v].x, screen[v].y, screen[v].depth, 1};
       }
       draw(view, s, t);
     }
@@ -125,10 +125,10 @@ TEST(VertexStage, PutsVerticesWhereViewDoes) {
   project_vertices(DrawList(soup.positions, soup.triangles), view, 0, soup.positions.size(), screen);
   for (size_t v = 0; v < soup.positions.size(); ++v) {
     const ScreenVertex s = view.project(view.clip_from_world() * Vec4(soup.positions[v], 1));
-    EXPECT_NEAR(screen.x[v], s.x, 1);  // 1/256 px: fused multiply-adds round otherwise
-    EXPECT_NEAR(screen.y[v], s.y, 1);
-    EXPECT_NEAR(screen.depth[v], s.depth, 1e-6f * s.depth);
-    EXPECT_EQ(screen.outside[v], 0);
+    EXPECT_NEAR(screen[v].x, s.x, 1);  // 1/256 px: fused multiply-adds round otherwise
+    EXPECT_NEAR(screen[v].y, s.y, 1);
+    EXPECT_NEAR(screen[v].depth, s.depth, 1e-6f * s.depth);
+    EXPECT_EQ(screen[v].outside, 0);
   }
 }
 

@@ -53,8 +53,8 @@ void ClippedTriangles::cut(uint32_t triangle, Emit emit) {
 ScreenVertex ClippedTriangles::place(uint32_t triangle, const ClipVertex& corner) const {
   for (int k = 0; k < 3; ++k) {
     const uint32_t v = list_.index(k)[triangle];
-    if (corner.barycentric[k] == 1 && screen_.outside[v] == 0)
-      return {screen_.x[v], screen_.y[v], screen_.depth[v], view_.perspective() ? screen_.depth[v] : 1};
+    const ScreenPoint& p = screen_[v];
+    if (corner.barycentric[k] == 1 && p.outside == 0) return {p.x, p.y, p.depth, view_.perspective() ? p.depth : 1};
   }
   return view_.project(corner.clip);
 }

@@ -34,7 +34,7 @@ inline constexpr int kMostPlaneValues = 6 + 6 + kMostChannels * 10;
 /// or 3, where u and v are the barycentric coordinates of corners 1 and 2: a matrix, row after row.
 const float* lattice_to_polynomial(int degree);
 
-/// Writes the polynomials of a group, `group.count` times `stride` floats (a multiple of kLanes).
+/// Writes the polynomials of a group, kLanes times `stride` floats (a multiple of kLanes).
 /// @param samples  as ShadingMethod::prepare() filled them: lattice point by lattice point, `layout.channels` each
 void write_planes(const PlaneLayout& layout, const CornerGroup& group, const ScreenPlanes& planes,
                   bool perspective_view, const Lanes* samples, float* out, size_t stride);

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-#include "aktina/base/simd.h"
+#include "aktina/raster/rows_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
@@ -77,17 +77,11 @@ HWY_INLINE void channel(const PlaneLayout& layout, const Lanes* samples, const S
 }
 
 /// Columns to rows, four by four.
-HWY_INLINE void write_rows(const Columns& columns, int size, int count, float* out, size_t stride) {
-  alignas(64) float four[kLanes][4];
-  const hn::CappedTag<float, 4> row;
-  for (int first = 0; first < size; first += 4) {
+HWY_INLINE void write_rows(const Columns& columns, int size, float* out, size_t stride) {
+  for (int k = 0; k < size; k += 4)
     for (size_t i = 0; i < kLanes; i += kPart)
-      hn::StoreInterleaved4(load(columns.v[first].v + i), load(columns.v[first + 1].v + i),
-                            load(columns.v[first + 2].v + i), load(columns.v[first + 3].v + i), kFloat, four[i]);
-    for (size_t t = 0; t < size_t(count); ++t)
-      for (size_t k = 0; k < 4; k += hn::MaxLanes(row))
-        hn::Store(hn::Load(row, four[t] + k), row, out + t * stride + size_t(first) + k);
-  }
+      store_rows(load(columns.v[k].v + i), load(columns.v[k + 1].v + i), load(columns.v[k + 2].v + i),
+                 load(columns.v[k + 3].v + i), [&](size_t lane) { return out + (i + lane) * stride + k; });
 }
 
 void WritePlanes(const PlaneLayout& layout, const CornerGroup& group, const ScreenPlanes& planes, bool perspective_view,
@@ -101,7 +95,7 @@ void WritePlanes(const PlaneLayout& layout, const CornerGroup& group, const Scre
       channel(layout, samples + c, planes, weights, i, columns.v + layout.channel_at(c));
   }
   for (int k = layout.size(); k < (layout.size() + 3) / 4 * 4; ++k) columns.v[k] = Lanes{};
-  write_rows(columns, layout.size(), group.count, out, stride);
+  write_rows(columns, layout.size(), out, stride);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct ScreenPlanes {
   Lanes constant[2], dx[2], dy[2];
 };
 
-/// Sets up a group: `group.count` records.
+/// Sets up a group: kLanes records, of which `group.count` count.
 void set_up_triangles(const CornerGroup& group, int width, int height, TriangleRecord* out, ScreenPlanes& planes);
 
 }  // namespace aktina

@@ -1,6 +1,8 @@
 // Edge functions and depth planes, sixteen triangles at a time.
 //
 // J. Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
+#include <cstddef>
+
 #include "aktina/raster/triangle_record.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -9,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "aktina/raster/exact_simd.h"
+#include "aktina/raster/rows_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
@@ -74,13 +77,12 @@ HWY_INLINE Plane depth_plane(const NF (&depth)[3], const Plane (&p)[2]) {
           hn::MulAdd(d1, p[0].dy, d2 * p[1].dy)};
 }
 
-/// What set-up writes, before it goes lane by lane into records.
+/// What set-up writes, before it goes lane by lane into records: their words.
 struct alignas(64) Columns {
-  int32_t a[3][kLanes], b[3][kLanes], e[3][kLanes], pixels[4][kLanes];
-  float z[3][kLanes];
+  float word[16][kLanes];
 };
 
-HWY_INLINE void put(NI v, int32_t* p) { hn::StoreU(v, kNarrowInt, p); }
+HWY_INLINE void put(NI v, float* p) { hn::StoreU(v, kNarrowInt, reinterpret_cast<int32_t*>(p)); }
 HWY_INLINE void put(D v, float* p) { hn::StoreU(to_narrow_float(v), kNarrowFloat, p); }
 
 HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int height, Columns& out, ScreenPlanes& planes) {
@@ -94,10 +96,12 @@ HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int heigh
   Plane p[2];
   find_planes(t, p);
   const Plane z = depth_plane(t.depth, p);
-  for (int k = 0; k < 3; ++k) put(t.a[k], out.a[k] + i), put(t.b[k], out.b[k] + i), put(t.e[k], out.e[k] + i);
-  put(z.constant, out.z[0] + i), put(z.dx, out.z[1] + i), put(z.dy, out.z[2] + i);
-  put(t.first_x, out.pixels[0] + i), put(t.first_y, out.pixels[1] + i);
-  put(t.last_x, out.pixels[2] + i), put(t.last_y, out.pixels[3] + i);
+  for (int k = 0; k < 3; ++k)
+    put(t.a[k], out.word[k] + i), put(t.b[k], out.word[3 + k] + i), put(t.e[k], out.word[6 + k] + i);
+  put(z.constant, out.word[9] + i), put(z.dx, out.word[10] + i), put(z.dy, out.word[11] + i);
+  put(t.first_x | hn::ShiftLeft<16>(t.first_y), out.word[12] + i);
+  put(t.last_x | hn::ShiftLeft<16>(t.last_y), out.word[13] + i);
+  put(t.x[0], out.word[14] + i), put(t.y[0], out.word[15] + i);
   for (int k = 0; k < 2; ++k) {
     put(p[k].constant, planes.constant[k].v + i);
     put(p[k].dx, planes.dx[k].v + i);
@@ -106,16 +110,15 @@ HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int heigh
 }
 
 void SetUpTriangles(const CornerGroup& g, int width, int height, TriangleRecord* out, ScreenPlanes& planes) {
+  static_assert(offsetof(TriangleRecord, b) == 12 && offsetof(TriangleRecord, e) == 24 &&
+                offsetof(TriangleRecord, z0) == 36 && offsetof(TriangleRecord, first_x) == 48 &&
+                offsetof(TriangleRecord, last_x) == 52 && offsetof(TriangleRecord, corner_x) == 56);
   Columns c;
   for (size_t i = 0; i < kLanes; i += kWidePart) set_up_part(g, i, width, height, c, planes);
-  for (size_t i = 0; i < size_t(g.count); ++i) {
-    TriangleRecord& r = out[i];
-    for (int k = 0; k < 3; ++k) r.a[k] = c.a[k][i], r.b[k] = c.b[k][i], r.e[k] = c.e[k][i];
-    r.z0 = c.z[0][i], r.zx = c.z[1][i], r.zy = c.z[2][i];
-    r.first_x = uint16_t(c.pixels[0][i]), r.first_y = uint16_t(c.pixels[1][i]);
-    r.last_x = uint16_t(c.pixels[2][i]), r.last_y = uint16_t(c.pixels[3][i]);
-    r.corner_x = g.x[0][i], r.corner_y = g.y[0][i];
-  }
+  for (size_t i = 0; i < kLanes; i += kPart)
+    for (size_t k = 0; k < 16; k += 4)
+      store_rows(load(c.word[k] + i), load(c.word[k + 1] + i), load(c.word[k + 2] + i), load(c.word[k + 3] + i),
+                 [&](size_t lane) { return reinterpret_cast<float*>(out + i + lane) + k; });
 }
 
 }  // namespace

@@ -1,18 +1,31 @@
 // Vertices to the screen, many at a time.
 #pragma once
 
+#include <vector>
+
 #include "aktina/raster/draw_list.h"
 #include "aktina/raster/view.h"
 
 namespace aktina {
 
-/// One value a vertex of a draw list. Where `outside` is not 0 the others say nothing.
-struct ScreenVertices {
-  LineArray<int32_t> x, y;     // as ScreenVertex
-  LineArray<float> depth;      // as ScreenVertex; the weight is it, or 1 in a parallel projection
-  LineArray<int32_t> outside;  // bits of the clip planes that the vertex is beyond, as Clipper::outside
+/// A vertex of a draw list on the screen. Where `outside` is not 0 the others say nothing.
+struct alignas(16) ScreenPoint {
+  int32_t x, y;     // as ScreenVertex
+  float depth;      // as ScreenVertex; the weight is it, or 1 in a parallel projection
+  int32_t outside;  // bits of the clip planes that the vertex is beyond, as Clipper::outside
+};
 
-  void resize(size_t n) { x.resize(n), y.resize(n), depth.resize(n), outside.resize(n); }
+/// Padded to whole groups of kLanes.
+class ScreenVertices {
+ public:
+  void resize(size_t n) { points_.resize(padded(n)); }
+  const ScreenPoint& operator[](size_t i) const { return points_[i]; }
+  /// As numbers of four bytes each.
+  float* data() { return reinterpret_cast<float*>(points_.data()); }
+  const float* data() const { return reinterpret_cast<const float*>(points_.data()); }
+
+ private:
+  std::vector<ScreenPoint> points_;
 };
 
 /// Vertices begin .. end - 1; begin is a multiple of kLanes, and whole lines are written.

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-#include "aktina/base/simd.h"
+#include "aktina/raster/rows_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
@@ -31,13 +31,12 @@ void ProjectVertices(const DrawList& list, const View& view, size_t begin, size_
     const F distance = row_times(m, 2, px, py, pz), w = row_times(m, 3, px, py, pz);
     const F limit_x = guard_x * w, limit_y = guard_y * w;
     const I sides = beyond(limit_x - x, 4) | beyond(limit_x + x, 8) | beyond(limit_y - y, 16) | beyond(limit_y + y, 32);
-    store(beyond(distance - near, 1) | select(distance <= far, set(int32_t(0)), set(int32_t(2))) | sides,
-          out.outside.data() + i);
-    const F weight = set(1.0f) / w;
-    store(hn::NearestInt(fma(x * weight, half_width, half_width) * set(float(kSubpixels))), out.x.data() + i);
-    store(hn::NearestInt(hn::NegMulAdd(y * weight, half_height, half_height) * set(float(kSubpixels))),
-          out.y.data() + i);
-    store(view.perspective() ? weight : zero() - distance, out.depth.data() + i);
+    const I outside = beyond(distance - near, 1) | select(distance <= far, set(int32_t(0)), set(int32_t(2))) | sides;
+    const F weight = set(1.0f) / w, subpixels = set(float(kSubpixels));
+    const I screen_x = hn::NearestInt(fma(x * weight, half_width, half_width) * subpixels);
+    const I screen_y = hn::NearestInt(hn::NegMulAdd(y * weight, half_height, half_height) * subpixels);
+    store_rows(bits_of(screen_x), bits_of(screen_y), view.perspective() ? weight : zero() - distance, bits_of(outside),
+               [&](size_t lane) { return out.data() + 4 * (i + lane); });
   }
 }
 
