@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "aktina/raster/band.h"
 #include "aktina/raster/shading/span.h"
@@ -51,8 +52,11 @@ class SpanShader {
   uint64_t who_is_seen(int x, int y, int end) const {
     uint64_t bits = 0;
     const uint32_t* names = seen_ + piece(x, y);
-    for (int i = 0; i < 64 && x + i < end; i += kBlock, names += kLanes)
-      for (int k = 0; k < kBlock; ++k) bits |= uint64_t(names[k] == name_) << (i + k);
+    for (int i = 0; i < 64 && x + i < end; i += kBlock, names += kLanes) {
+      const unsigned four = unsigned(names[0] == name_) | unsigned(names[1] == name_) << 1 |
+                            unsigned(names[2] == name_) << 2 | unsigned(names[3] == name_) << 3;
+      bits |= uint64_t(four) << i;
+    }
     return bits;
   }
 
@@ -126,13 +130,15 @@ class SpanShader {
       for (int k = 0; k < 3; ++k) {
         float* const colour = band_.colour[k].data() + to;
         const float *d = lit.diffuse[k] + from, *s = lit.specular[k] + from;
-        if (n == kBlock) {  // without a loop of unknown length: most pieces are whole
-          for (int i = 0; i < kBlock; ++i) colour[i] = d[i] + s[i] + emission[k];
+        float sum[kBlock];
+        for (int i = 0; i < kBlock; ++i) sum[i] = d[i] + s[i] + emission[k];  // reads padding where there are fewer
+        if (n == kBlock) {                                                    // most pieces are whole
+          std::memcpy(colour, sum, sizeof(sum));
         } else {
-          for (int i = 0; i < n; ++i) colour[i] = d[i] + s[i] + emission[k];
+          for (int i = 0; i < n; ++i) colour[i] = sum[i];
         }
       }
-      std::fill_n(seen_ + to, n, kNobody);
+      for (int i = 0; i < n; ++i) seen_[to + size_t(i)] = kNobody;
     });
   }
 
