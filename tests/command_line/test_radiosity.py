@@ -26,7 +26,7 @@ def read_vtu(path):
             fields = dict(re.findall(r'(\w+)="([^"]*)"', tag))
             at = int(fields["offset"])
             (size,) = struct.unpack_from("<Q", raw, at)
-            code = {"Float32": "f", "Int64": "q", "UInt8": "B"}[fields["type"]]
+            code = {"Float32": "f", "Float64": "d", "Int64": "q", "UInt8": "B"}[fields["type"]]
             arrays[section, fields["Name"]] = struct.unpack_from(f"<{size // struct.calcsize(code)}{code}", raw, at + 8)
     return arrays
 

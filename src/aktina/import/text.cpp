@@ -124,4 +124,21 @@ bool parse_number(std::string_view word, int64_t& value) {
 
 std::string place(const std::string& where, size_t line) { return where + ":" + std::to_string(line); }
 
+std::vector<std::string> csv_fields(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      fields.back() += '"', ++i;
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += line[i];
+  }
+  for (std::string& field : fields) field = std::string(trimmed(field));
+  return fields;
+}
+
 }  // namespace aktina

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aktina {
 
@@ -40,5 +41,8 @@ bool parse_number(std::string_view word, int64_t& value);
 
 /// "scene.obj:12"
 std::string place(const std::string& where, size_t line);
+
+/// The fields of a line of comma-separated values, trimmed: quotes around a field, doubled within it.
+std::vector<std::string> csv_fields(std::string_view line);
 
 }  // namespace aktina

@@ -7,28 +7,6 @@
 #include "aktina/render/view_factor_job.h"
 
 namespace aktina {
-namespace {
-
-/// The fields of a line; quotes around a field, doubled within it.
-std::vector<std::string> fields_of(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      fields.back() += '"', ++i;
-    else if (line[i] == '"')
-      quoted = !quoted;
-    else if (line[i] == ',' && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += line[i];
-  }
-  for (std::string& field : fields) field = std::string(trimmed(field));
-  return fields;
-}
-
-}  // namespace
-
 std::vector<GrayBody> gray_bodies(const ViewFactorScene& scene, double fallback) {
   std::vector<GrayBody> bodies(scene.surfaces(), {.emissivity = fallback});
   for (size_t i = 0; i < scene.emissivities.size(); ++i) bodies[i].emissivity = scene.emissivities[i];
@@ -44,7 +22,7 @@ std::vector<GrayBody> read_gray_bodies(const Path& path, const ViewFactorScene& 
   bool head = true;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line[0] == '#') continue;
-    const std::vector<std::string> fields = fields_of(line);
+    const std::vector<std::string> fields = csv_fields(line);
     const std::string at = place(where, lines.number());
     if (fields.size() != 4)
       throw Error(Code::bad_input, at, fmt::format("has {} fields", fields.size()),
