@@ -24,6 +24,9 @@ RadiosityOptions radiosity_options(const Arguments& arguments) {
   options.solver = arguments.text("solver");
   options.formfactor = arguments.text("formfactor");
   options.mesher = arguments.text("mesher");
+  options.quality = arguments.text("quality");
+  options.target_error = arguments.number("target-error");
+  options.indirect_size = arguments.number("indirect-size");
   options.patch_size = arguments.number("patch-size");
   options.tolerance = arguments.number("tolerance");
   options.most_steps = uint64_t(arguments.whole("max-steps"));

@@ -13,8 +13,9 @@ RadiosityOptions radiosity_options(const py::dict& fields) {
   RadiosityOptions o;
   int most_steps = 0, most_patches = int(o.most_patches);
   FromDict field(fields, "radiosity");
-  field("solver", o.solver), field("formfactor", o.formfactor), field("mesher", o.mesher);
-  field("patch_size", o.patch_size), field("tolerance", o.tolerance);
+  field("solver", o.solver), field("formfactor", o.formfactor), field("mesher", o.mesher), field("quality", o.quality);
+  field("patch_size", o.patch_size), field("tolerance", o.tolerance), field("target_error", o.target_error);
+  field("indirect_size", o.indirect_size);
   field("most_steps", most_steps), field("most_patches", most_patches);
   field.expect_all_read();
   o.most_steps = uint64_t(std::max(most_steps, 0)), o.most_patches = uint64_t(std::max(most_patches, 0));

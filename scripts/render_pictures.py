@@ -193,7 +193,8 @@ def formfactor(methods):
     quick = {"contour": "contour:tolerance=0.001", "analytic": "analytic:points=2",
              "hemicube": "hemicube:resolution=64,hemicubes=1", "monte_carlo": "monte_carlo:samples=4096"}
     for method in methods:
-        solution = scene.radiosity(formfactor=quick.get(method, method), patch_size=0.7, tolerance=0.02)
+        solution = scene.radiosity(solver="progressive", formfactor=quick.get(method, method), patch_size=0.7, tolerance=0.02,
+                                   indirect_size=0)
         write("formfactor", method, solution.render(WIDTH, HEIGHT, samples=16), 0.03)
 
 

@@ -180,14 +180,17 @@ class Scene:
     ) -> Any: ...
     def radiosity(
         self,
-        solver: str = "progressive",
+        solver: str = "stochastic_jacobi",
         formfactor: str = "ray_cast",
         patch_size: float = 0.0,
-        tolerance: float = 1e-3,
+        tolerance: float = 0.0,
         most_steps: int = 0,
         most_patches: int = 2_000_000,
         seed: int = 0,
         mesher: str = "uniform",
+        quality: str = "normal",
+        target_error: float = 0.0,
+        indirect_size: float = 2.0,
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> Solution: ...
     def illuminance(

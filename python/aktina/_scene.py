@@ -99,13 +99,17 @@ class Scene:
         pictures = {name: np.asarray(pixels) for name, pixels in drawn}
         return pictures if layers else pictures[""]
 
-    def radiosity(self, solver="progressive", formfactor="ray_cast", patch_size=0.0, tolerance=1e-3, most_steps=0,
-                  most_patches=2_000_000, seed=0, mesher="uniform", progress=None):
+    def radiosity(self, solver="stochastic_jacobi", formfactor="ray_cast", patch_size=0.0, tolerance=0.0, most_steps=0,
+                  most_patches=2_000_000, seed=0, mesher="uniform", quality="normal", target_error=0.0,
+                  indirect_size=2.0, progress=None):
         """The light between the diffuse surfaces, view independent.
 
         solver, formfactor, mesher : methods of the families "radiosity", "formfactor", "mesher".
-        patch_size : longest edge of a patch, m; 0: chosen from the scene's size.
+        quality : "draft", "normal" or "fine": what a patch_size, tolerance or target_error of 0 stands for.
+        patch_size : longest edge of a patch, m; 0: by quality and the scene's size.
         tolerance : stop when the light not yet distributed is below this share of the emitted.
+        target_error : of the light on surfaces, relative, where a solver draws samples.
+        indirect_size : longest edge of what exchanges indirect light, in patch sizes; 0: all light on all patches.
         most_steps : 0: no limit.  most_patches : more are refused.
         Returns Solution.  Raises NoSuchMethod, BadParam, BadInput (nothing shines), LimitExceeded.
 
@@ -116,8 +120,10 @@ class Scene:
         >>> bool(abs(solution.irradiances.max() - 10) < 0.5)
         True
         """
-        options = {"solver": solver, "formfactor": formfactor, "mesher": mesher, "patch_size": float(patch_size),
-                   "tolerance": float(tolerance), "most_steps": int(most_steps), "most_patches": int(most_patches)}
+        options = {"solver": solver, "formfactor": formfactor, "mesher": mesher, "quality": quality,
+                   "patch_size": float(patch_size), "tolerance": float(tolerance),
+                   "target_error": float(target_error), "indirect_size": float(indirect_size),
+                   "most_steps": int(most_steps), "most_patches": int(most_patches)}
         return Solution(self, _core.solve_scene(self._scene, options, int(seed), progress))
 
     def illuminance(self, points, normals, method="path", samples=64, seed=0, progress=None):

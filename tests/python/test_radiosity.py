@@ -6,6 +6,8 @@ import aktina
 from reference.cases import ids
 
 METHODS = ids("radiosity")
+SAMPLED = ["stochastic_jacobi"]  # draw samples: right to about a per cent
+EXACT = [method for method in METHODS if method not in SAMPLED]
 
 
 def enclosure(patches, seed, bands=3):
@@ -21,7 +23,7 @@ def enclosure(patches, seed, bands=3):
     return exchange, E, random.random((patches, bands)) * 0.9
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", EXACT)
 def test_equals_the_direct_solution(method):
     F, E, rho = enclosure(40, 1)
     B = aktina.solve_radiosity(F, E, rho, method=method)
@@ -29,14 +31,22 @@ def test_equals_the_direct_solution(method):
     np.testing.assert_allclose(B, direct, rtol=1e-10)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", EXACT)
 def test_energy_balances_in_a_closed_scene(method):
     F, E, rho = enclosure(30, 2)
     B = aktina.solve_radiosity(F, E, rho, method=method)
     np.testing.assert_allclose(E.sum(0), ((1 - rho) * (F @ B)).sum(0), rtol=1e-10)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", SAMPLED)
+def test_sampled_methods_come_near_the_direct_solution(method):
+    F, E, rho = enclosure(40, 1)
+    B, direct = (aktina.solve_radiosity(F, E, rho, method=m) for m in (method, "matrix"))
+    assert np.sqrt(np.mean((B / direct - 1) ** 2)) < 0.01
+    np.testing.assert_allclose(B, direct, rtol=0.05)
+
+
+@pytest.mark.parametrize("method", EXACT)
 def test_furnace(method):
     F, _, _ = enclosure(25, 3)
     np.testing.assert_allclose(aktina.solve_radiosity(F, np.ones(25), np.full(25, 0.75), method=method), 4, rtol=1e-9)

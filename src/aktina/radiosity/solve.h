@@ -12,13 +12,18 @@
 namespace aktina {
 
 struct RadiosityOptions {
-  std::string solver = "progressive";   // "METHOD" or "METHOD:parameter=number,...", as solvers() lists them
-  std::string formfactor = "ray_cast";  // as formfactors() lists them
-  std::string mesher = "uniform";       // as meshers() lists them
-  double patch_size = 0;                // m, longest edge; 0: chosen from the scene's size
-  double tolerance = 1e-3;              // stop when the unshot flux is below this share of the emitted
-  uint64_t most_steps = 0;              // 0: no limit
-  uint64_t most_patches = 2'000'000;    // more are refused before memory is taken
+  std::string solver = "stochastic_jacobi";  // "METHOD" or "METHOD:parameter=number,...", as solvers() lists them
+  std::string formfactor = "ray_cast";       // as formfactors() lists them
+  std::string mesher = "uniform";            // as meshers() lists them
+  std::string quality = "normal";            // draft, normal, fine: what the values that are 0 below stand for
+  double patch_size = 0;                     // m, longest edge; 0: by quality and the scene's size
+  double tolerance = 0;     // stop when the unshot flux is below this share of the emitted; 0: by quality
+  double target_error = 0;  // relative, of irradiances, where a solver draws samples; 0: by quality
+  /// Direct light is computed apart, on every patch; indirect light on coarser ones, this many patch sizes long. 0: all
+  /// light on all patches. Form factors other than by rays know no coarser patches.
+  double indirect_size = 2;
+  uint64_t most_steps = 0;            // 0: no limit
+  uint64_t most_patches = 2'000'000;  // more are refused before memory is taken
   uint32_t seed = 0;
   /// Called after each step with the solution so far (patch values; vertices are not reconstructed yet), to watch it
   /// converge. With `ambient` the displayed radiosity of a patch is B + rho `ambient` (Cohen et al. 1988).

@@ -17,8 +17,10 @@ Report begin_report(const Scene& scene, uint32_t seed) {
 }
 
 std::string settings(const RadiosityOptions& o) {
-  std::string line = fmt::format("--solver {} --formfactor {} --mesher {} --patch-size {} --tolerance {}", o.solver,
-                                 o.formfactor, o.mesher, o.patch_size, o.tolerance);
+  std::string line = fmt::format(
+      "--solver {} --quality {} --formfactor {} --mesher {} --patch-size {} --tolerance {} --target-error {} "
+      "--indirect-size {}",
+      o.solver, o.quality, o.formfactor, o.mesher, o.patch_size, o.tolerance, o.target_error, o.indirect_size);
   if (o.most_steps > 0) line += fmt::format(" --max-steps {}", o.most_steps);
   return line;
 }

@@ -54,7 +54,7 @@ double furnace_by_paths() {
 
 double furnace_by_radiosity() {
   RadiosityOptions options;
-  options.patch_size = 0.5, options.tolerance = 1e-5;
+  options.solver = "progressive", options.patch_size = 0.5, options.tolerance = 1e-5;
   const Solution solution = solve_radiosity(white_furnace(), options);
   double sum = 0, area = 0;
   for (size_t i = 0; i < solution.mesh.size(); ++i) {

@@ -3,14 +3,19 @@ import numpy as np
 
 import aktina
 
-from .cases import ANALYTIC, Method, ids
+from .cases import ANALYTIC, SAMPLED, Method, ids
 
 
 def kinds():
     computed = {"given_F": given, "sphere_interior": given, "box_enclosure": box, "box_enclosure_rgb": box,
                 "subdivided_room": subdivided_room, "incremental": incremental}
-    return {kind: [Method(id, ANALYTIC, lambda case, id=id, compute=compute: compute(id, case))
-                   for id in ids("radiosity")] for kind, compute in computed.items()}
+    return {kind: [solver(id, compute) for id in ids("radiosity")] for kind, compute in computed.items()}
+
+
+def solver(id, compute):
+    sampled = id == "stochastic_jacobi"
+    return Method(id, SAMPLED if sampled else ANALYTIC, lambda case: compute(id, case),
+                  lambda case: not sampled or bool(case.tolerance_sampled))
 
 
 def given(method, case):

@@ -18,7 +18,8 @@ namespace {
 PatchMesh uniform(const Scene& scene, double size, Warnings* warnings = nullptr, uint64_t most = 1'000'000,
                   const std::string& method = "uniform") {
   Warnings unused;
-  return make_method(meshers(), "mesher", method)->mesh(scene, {size, most}, warnings ? *warnings : unused);
+  return make_method(meshers(), "mesher", method)
+      ->mesh(scene, {.patch_size = size, .most_patches = most}, warnings ? *warnings : unused);
 }
 
 double total_area(const PatchMesh& mesh) { return std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0); }

@@ -23,14 +23,18 @@ Scene lit_room() {
 }
 
 TEST(SolveRadiosity, UniformEmissionGivesTheFurnace) {
-  const Solution s = solve_radiosity(room({3, 2, 2.5f}, Rgb(0.5f), Rgb(10)), {.patch_size = 0.4, .tolerance = 1e-4});
-  EXPECT_TRUE(s.converged);
-  for (const Radiosity b : s.radiosities) EXPECT_NEAR(b.v.g, 20, 0.02) << "E / (1 - rho), everywhere";
-  for (const Radiosity b : s.vertex_radiosities) EXPECT_NEAR(b.v.g, 20, 0.02);
+  for (const char* solver : {"progressive", "matrix", "stochastic_jacobi"}) {
+    const Solution s = solve_radiosity(room({3, 2, 2.5f}, Rgb(0.5f), Rgb(10)),
+                                       {.solver = solver, .patch_size = 0.4, .tolerance = 1e-4});
+    EXPECT_TRUE(s.converged);
+    const double off = solver == std::string("stochastic_jacobi") ? 0.1 : 0.02;  // noise
+    for (const Radiosity b : s.radiosities) EXPECT_NEAR(b.v.g, 20, off) << "E / (1 - rho), everywhere";
+    for (const Radiosity b : s.vertex_radiosities) EXPECT_NEAR(b.v.g, 20, off);
+  }
 }
 
 TEST(SolveRadiosity, ProgressiveRefinementConvergesToTheMatrixSolution) {
-  RadiosityOptions options{.patch_size = 0.4, .tolerance = 1e-5};
+  RadiosityOptions options{.solver = "progressive", .patch_size = 0.4, .tolerance = 1e-5};
   const Solution progressive = solve_radiosity(lit_room(), options);
   options.solver = "matrix", options.tolerance = 1e-9;
   const Solution matrix = solve_radiosity(lit_room(), options);
@@ -41,7 +45,8 @@ TEST(SolveRadiosity, ProgressiveRefinementConvergesToTheMatrixSolution) {
 TEST(SolveRadiosity, AnyFormFactorMethodGivesTheSameLight) {
   Scene scene = room({2, 2, 2}, Rgb(0.6f));
   scene.materials[1].emission = lambertian_radiance(Radiosity(Rgb(100)));
-  RadiosityOptions options{.mesher = "uniform:shooter=1", .patch_size = 0.41, .tolerance = 1e-3};
+  RadiosityOptions options{.solver = "progressive", .mesher = "uniform:shooter=1"};
+  options.patch_size = 0.41, options.indirect_size = 0;
   const Solution rays = solve_radiosity(scene, options);
   options.formfactor = "analytic";
   const Solution rows = solve_radiosity(scene, options);
@@ -53,6 +58,66 @@ TEST(SolveRadiosity, AnyFormFactorMethodGivesTheSameLight) {
   EXPECT_THROW(solve_radiosity(scene, options), Error);
 }
 
+double median_difference(const Solution& a, const Solution& b) {
+  std::vector<double> differences;
+  for (size_t i = 0; i < a.irradiances.size(); ++i)
+    if (b.irradiances[i].v.g > 0.1f)
+      differences.push_back(double(std::abs(a.irradiances[i].v.g / b.irradiances[i].v.g - 1)));
+  std::sort(differences.begin(), differences.end());
+  return differences[differences.size() / 2];
+}
+
+TEST(SolveRadiosity, DirectLightApartAgreesWithAllLightOnAllPatches) {
+  RadiosityOptions options{.solver = "progressive", .patch_size = 0.1, .tolerance = 1e-4, .indirect_size = 0};
+  const Solution all = solve_radiosity(lit_room(), options);
+  for (const char* solver : {"progressive", "stochastic_jacobi"}) {
+    options.solver = solver, options.indirect_size = 2;
+    const Solution apart = solve_radiosity(lit_room(), options);
+    ASSERT_EQ(apart.mesh.size(), all.mesh.size());
+    EXPECT_LT(median_difference(apart, all), 0.015) << solver;
+  }
+}
+
+TEST(SolveRadiosity, QualitiesDiffer) {
+  const Solution draft = solve_radiosity(lit_room(), {.quality = "draft"});
+  const Solution normal = solve_radiosity(lit_room());
+  EXPECT_GT(normal.mesh.size(), 2 * draft.mesh.size());
+  EXPECT_LT(normal.unshot, draft.unshot);
+  EXPECT_THAT([] { solve_radiosity(lit_room(), {.quality = "best"}); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("draft, normal, fine")));
+}
+
+TEST(SolveRadiosity, ManyEmittersAreMoreThanAreComputedApart) {
+  // Walls that emit as a whole are cut into more emitters than that; the furnace tells whether the others count.
+  RadiosityOptions options{.patch_size = 0.1, .indirect_size = 1};
+  const Solution s = solve_radiosity(room({1, 1, 1}, Rgb(0.5f), Rgb(10)), options);
+  for (const Radiosity b : s.radiosities) EXPECT_NEAR(b.v.g, 20, 1);
+  for (const Irradiance h : s.direct_irradiances) EXPECT_NEAR(h.v.g, 10, 1.5);
+}
+
+TEST(SolveRadiosity, NoIndirectLightGoesThroughAWallOnTheFloor) {
+  // Two rooms whose floors continue each other; the lamp is in the left one.
+  Scene scene = room({1, 1, 1}, Rgb(0.7f)), other = room({1, 1, 1}, Rgb(0.7f));
+  for (Mesh& mesh : other.meshes) {
+    for (Point3& p : mesh.positions) p.x += 1;
+    mesh.material += int(scene.materials.size());
+    Instance instance;
+    instance.mesh = int(scene.meshes.size());
+    scene.meshes.push_back(mesh), scene.instances.push_back(instance);
+  }
+  scene.materials.insert(scene.materials.end(), other.materials.begin(), other.materials.end());
+  scene.lights.push_back({"lamp", PointLight{{0.5f, 0.5f, 0.5f}, Intensity(Rgb(100))}, -1});
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.05});
+  double left = 0, right = 0;
+  for (size_t i = 0; i < s.mesh.size(); ++i) {
+    const float x = s.mesh.positions[s.mesh.patches[i][0]].x, x2 = s.mesh.positions[s.mesh.patches[i][2]].x;
+    if (std::max(x, x2) < 0.99f) left = std::max(left, double(s.irradiances[i].v.g));
+    if (std::min(x, x2) > 1.01f) right = std::max(right, double(s.irradiances[i].v.g));
+  }
+  EXPECT_GT(left, 100);
+  EXPECT_LT(right, 1e-3 * left);
+}
+
 TEST(SolveRadiosity, AccountsForTheEnergyOfAClosedRoom) {
   const Solution s = solve_radiosity(lit_room(), {.patch_size = 0.2});
   EXPECT_NEAR(s.emitted, 36, 1e-3);
@@ -61,8 +126,9 @@ TEST(SolveRadiosity, AccountsForTheEnergyOfAClosedRoom) {
 }
 
 TEST(SolveRadiosity, AmbientLightBringsEarlyStepsNearer) {
-  const Solution final = solve_radiosity(lit_room(), {.patch_size = 0.4, .tolerance = 1e-5});
-  RadiosityOptions options{.patch_size = 0.4, .most_steps = 8};
+  RadiosityOptions options{.solver = "progressive", .patch_size = 0.4, .tolerance = 1e-5, .indirect_size = 0};
+  const Solution final = solve_radiosity(lit_room(), options);
+  options.most_steps = 8;
   double plain = 0, with_ambient = 0;
   uint64_t calls = 0;
   options.each_step = [&](const RadiosityOptions::Step& step) {
@@ -141,7 +207,7 @@ TEST(SolveRadiosity, SameBytesForAnyNumberOfThreads) {
 
 TEST(SolveRadiosity, CancelledWorkIsKept) {
   Progress progress;
-  RadiosityOptions options{.patch_size = 0.4};
+  RadiosityOptions options{.solver = "progressive", .patch_size = 0.4};
   options.each_step = [&](const RadiosityOptions::Step& step) {
     if (step.step == 3) progress.cancel();
   };

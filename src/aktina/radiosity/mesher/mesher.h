@@ -1,6 +1,8 @@
 // Surfaces -> patches: what radiosity is computed on.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,8 +15,15 @@
 namespace aktina {
 
 struct MeshOptions {
-  double patch_size = 0;  // m, longest edge; 0: chosen from the area of the surfaces
+  double patch_size = 0;          // m, longest edge; 0: chosen from the area of the surfaces
+  double usual_patches = 12'000;  // about so many where the size is chosen
+  double coarse = 4;              // longest edge of what shoots together, in patch sizes
+  double most_coarse = 1e9;       // what shoots together may be larger where there would be more of it
   uint64_t most_patches = 2'000'000;
+
+  /// m, for surfaces of `area`, m^2.
+  double size(double area) const { return patch_size > 0 ? patch_size : std::sqrt(area / usual_patches); }
+  double coarse_size(double area) const { return std::max(coarse * size(area), std::sqrt(area / most_coarse)); }
 };
 
 class Mesher {

@@ -21,7 +21,6 @@
 namespace aktina {
 namespace {
 
-constexpr double kUsualPatches = 12'000;         // where the size is left to us
 constexpr double kSlack = 1 - 1e-5;              // edges that are equal but for rounding get equally many pieces
 constexpr Vec3 kOdd{0.8215f, 0.4321f, 0.3717f};  // no edge of a drawn scene is square to it but by design
 
@@ -255,12 +254,12 @@ class UniformMesher final : public Mesher {
     }
     const double total = area(faces);
     if (!(total > 0)) throw Error(Code::bad_input, scene.source, "no surface to compute light on");
-    const double size = options.patch_size > 0 ? options.patch_size : std::sqrt(total / kUsualPatches);
+    const double size = options.size(total), shooter = shooter_ > 0 ? shooter_ * size : options.coarse_size(total);
     check_count(faces, total, size, options.most_patches);
 
     PatchMesh mesh;
     const Junctions junctions(points);
-    Subdivision subdivision(mesh, size, size * shooter_, options.most_patches, junctions);
+    Subdivision subdivision(mesh, size, shooter, options.most_patches, junctions);
     for (size_t i = 0; i < faces.size(); ++i) subdivision.add(scene, instances[i], faces[i]);
     if (degenerate) warnings.add("triangles without area, or not finite, are left out", degenerate);
     if (subdivision.clamped())
@@ -284,8 +283,9 @@ class UniformMesher final : public Mesher {
   double shooter_;
 };
 
-constexpr Param kParams[] = {
-    {"shooter", "1", "longest edge of what shoots light as one, in patch sizes; 1: every patch for itself", 4, 1, 64}};
+constexpr Param kParams[] = {{"shooter", "1",
+                              "longest edge of what shoots light as one, in patch sizes; 0: as indirect light needs it",
+                              0, 0, 64}};
 
 }  // namespace
 

@@ -12,14 +12,6 @@ constexpr uint32_t kLampSamples = 4;  // places on a patch, each with a ray to e
 constexpr uint32_t kSkySamples = 64;  // places on a patch, each with a ray to the sky
 constexpr size_t kGrain = 64;         // sides
 
-Point3 place_on(const PatchMesh& mesh, uint32_t patch, Vec2 u) {
-  const auto& c = mesh.patches[patch];
-  const auto p = [&](size_t k) { return mesh.positions[c[k]]; };
-  if (mesh.is_quad(patch)) return (p(0) * (1 - u.x) + p(1) * u.x) * (1 - u.y) + (p(3) * (1 - u.x) + p(2) * u.x) * u.y;
-  const float root = __builtin_sqrtf(u.x);
-  return p(0) * (1 - root) + (p(1) * (1 - u.y) + p(2) * u.y) * root;
-}
-
 /// A ray and what arrives along it if nothing is in between.
 struct Question {
   Ray ray;
@@ -35,13 +27,12 @@ class SideLight {
     questions_.clear();
     const uint32_t seed = hash_combine(seed_, uint32_t(side));
     for (uint32_t k = 0; k < kLampSamples; ++k) {
-      const Point3 x = place_on(sides_.mesh(), sides_.patch(side), sobol_owen(k, seed));
+      const Point3 x = sides_.point(side, sobol_owen(k, seed));
       for (const PlacedLight& lamp : scene_.lights) ask(x, sides_.normal(side), lamp.light);
     }
     if (scene_.environment.shines())
       for (uint32_t k = 0; k < kSkySamples; ++k)
-        ask_sky(place_on(sides_.mesh(), sides_.patch(side), sobol_owen(k, seed)), sides_.normal(side),
-                sobol_owen(k, hash32(seed)));
+        ask_sky(sides_.point(side, sobol_owen(k, seed)), sides_.normal(side), sobol_owen(k, hash32(seed)));
     return answer();
   }
 

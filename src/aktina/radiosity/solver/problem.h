@@ -38,6 +38,22 @@ struct RadiosityProblem {
   void shoot_one_by_one();
 };
 
+/// Rays that leave receivers as their diffuse light does: how solvers by random choice see form factors.
+class LightRays {
+ public:
+  struct Ray {
+    uint32_t from, number;  // the receiver, and which ray of its own well-spread sequence
+  };
+  struct Arrival {
+    uint32_t ray, receiver;  // the index in `rays`
+    float share;             // below 1 beyond what lets light through
+  };
+  virtual ~LightRays() = default;
+  /// Appends where the rays arrive, in their order; those that meet nothing are left out. The same for the same ray
+  /// every time; may be called from several threads at once.
+  virtual void follow(std::span<const Ray> rays, std::vector<Arrival>& arrivals) const = 0;
+};
+
 /// Where a solver's form factors come from.
 class FactorSource {
  public:
@@ -45,6 +61,8 @@ class FactorSource {
   /// factors[s] = F_sj: what fraction of the light that leaves receiver s arrives at shooter j, for all s. The same
   /// values every time.
   virtual void column(size_t shooter, std::span<double> factors) const = 0;
+  /// Rays of the same factors, where the source has them; else null.
+  virtual const LightRays* rays() const { return nullptr; }
 };
 
 struct RadiosityState {
@@ -64,7 +82,9 @@ struct RadiosityState {
 
 struct SolverControl {
   double tolerance = 1e-3;
-  uint64_t most_steps = 0;  // 0: no limit
+  double target_error = 0.01;  // relative, of irradiances, where a solver draws samples
+  uint64_t most_steps = 0;     // 0: no limit
+  uint32_t seed = 0;
   Progress* progress = nullptr;
   std::function<void(const RadiosityState&)> each_step{};
   bool stopped(uint64_t steps) const {

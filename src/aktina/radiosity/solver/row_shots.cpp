@@ -18,20 +18,6 @@ Polygon polygon_of(const PatchMesh& mesh, size_t patch) {
   return polygon;
 }
 
-int ray_samples(const MethodChoice& choice) {
-  double samples = kUsualSamples;
-  for (const auto& [name, value] : choice.values) {
-    if (name != "samples")
-      throw Error(Code::usage, "ray_cast." + name, "shots of radiosity do not know this parameter",
-                  "there is: samples");
-    samples = value;
-  }
-  if (!(samples >= 1 && samples <= RayCastShots::kMostSamples) || samples != double(int(samples)))
-    throw Error(Code::bad_param, "ray_cast.samples", fmt::format("got {:g}", samples),
-                fmt::format("accepted 1 .. {}, whole", RayCastShots::kMostSamples));
-  return int(samples);
-}
-
 }  // namespace
 
 RowShots::RowShots(const Sides& sides, std::unique_ptr<FormFactorMethod> method)
@@ -62,11 +48,21 @@ void RowShots::column(size_t shooter, std::span<double> factors) const {
   }
 }
 
-std::unique_ptr<FactorSource> make_shots(std::string_view formfactor, const Sides& sides, const Visibility& visibility,
-                                         uint32_t seed) {
+bool is_ray_cast(std::string_view formfactor) { return parse_method(formfactor).id == "ray_cast"; }
+
+int ray_cast_samples(std::string_view formfactor) {
   const MethodChoice choice = parse_method(formfactor);
-  if (choice.id == "ray_cast") return std::make_unique<RayCastShots>(sides, visibility, ray_samples(choice), seed);
-  return std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", formfactor));
+  double samples = kUsualSamples;
+  for (const auto& [name, value] : choice.values) {
+    if (name != "samples")
+      throw Error(Code::usage, "ray_cast." + name, "shots of radiosity do not know this parameter",
+                  "there is: samples");
+    samples = value;
+  }
+  if (!(samples >= 1 && samples <= RayCastShots::kMostSamples) || samples != double(int(samples)))
+    throw Error(Code::bad_param, "ray_cast.samples", fmt::format("got {:g}", samples),
+                fmt::format("accepted 1 .. {}, whole", RayCastShots::kMostSamples));
+  return int(samples);
 }
 
 }  // namespace aktina

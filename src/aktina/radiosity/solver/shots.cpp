@@ -9,9 +9,10 @@
 namespace aktina {
 namespace {
 
-constexpr size_t kChunk = 256;  // receivers
-constexpr int kMostSamples = 4 * RayCastShots::kMostSamples;
-constexpr double kFar = 0.02;      // solid angle below which one ray is enough
+constexpr double kFar = 0.02;     // solid angle below which one ray is enough
+constexpr float kSmall = 100;     // squared distance in squared sizes from where a middle stands for a polygon
+constexpr float kClear = 0.999f;  // share of rays that pass where nothing is in the way
+constexpr int kMoreInHalfShade = 4;
 constexpr float kGrazing = 1e-5f;  // of the patch's size: heights that count as lying in its plane
 
 /// A polygon cut by the plane z = 0, z measured along n: at most five corners are left of four.
@@ -42,11 +43,22 @@ double contour_sum(const Clipped& c, Vec3d n) {
   return sum / (2 * kPi);
 }
 
-Point3 point_on(const std::array<Point3, 4>& c, Vec2 u) {
-  if (c[2] != c[3]) return (c[0] * (1 - u.x) + c[1] * u.x) * (1 - u.y) + (c[3] * (1 - u.x) + c[2] * u.x) * u.y;
-  const float root = std::sqrt(u.x);
-  return c[0] * (1 - root) + (c[1] * (1 - u.y) + c[2] * u.y) * root;
+/// Much farther away than it is large: its middle stands for it.
+bool far_away(Point3 x, const ShotGeometry::Piece& piece, Point3 middle) {
+  return squared_length(middle - x) > kSmall * std::max(squared_length(piece.corners[0] - middle), piece.area);
 }
+
+double from_middle(Point3 x, Vec3 n, const ShotGeometry::Piece& piece, Point3 middle) {
+  const Vec3 d = middle - x;
+  const float squared = squared_length(d);
+  return double(std::max(0.0f, dot(n, d)) * std::max(0.0f, -dot(piece.normal, d)) * piece.area /
+                (float(kPi) * squared * squared));
+}
+
+/// Sums of what rays of the receivers of a chunk find.
+struct Looks {
+  float passed[kShotChunk] = {}, weights[kShotChunk] = {};
+};
 
 }  // namespace
 
@@ -73,47 +85,61 @@ double point_to_corners(Point3 x, Vec3 n, const std::array<Point3, 4>& corners, 
   return std::max(0.0, -0.5 * dot(twice, middle) * dot(Vec3d(n), middle) / (kPi * squared * squared));
 }
 
-void RayCastShots::column(size_t shooter, std::span<double> factors) const {
-  const size_t chunks = (factors.size() + kChunk - 1) / kChunk;
-  parallel_for(chunks, 1, [&](size_t begin, size_t end) {
-    for (size_t chunk = begin; chunk < end; ++chunk)
-      column(shooter, chunk * kChunk, std::min((chunk + 1) * kChunk, factors.size()), factors);
-  });
+double unoccluded_factor(const ShotGeometry& geometry, size_t shooter, size_t receiver) {
+  const Point3 x = geometry.centre(receiver);
+  const Vec3 n = geometry.normal(receiver);
+  const auto pieces = geometry.pieces(shooter);
+  double sum = 0;
+  for (const ShotGeometry::Piece& piece : pieces) {
+    const auto& c = piece.corners;
+    const Point3 middle = c[2] != c[3] ? 0.5f * (c[0] + c[2]) : (c[0] + c[1] + c[2]) * (1.0f / 3);
+    sum += pieces.size() > 1 && far_away(x, piece, middle) ? from_middle(x, n, piece, middle)
+                                                           : point_to_corners(x, n, c, piece.normal);
+  }
+  return std::min(sum, 1.0);
 }
 
-void RayCastShots::column(size_t shooter, size_t begin, size_t end, std::span<double> factors) const {
-  const Sides::Shooter& from = sides_.shooters()[shooter];
-  float passed[kChunk] = {};
-  VisibilityQueue queue(visibility_, Coherence::coherent, passed);
-  for (size_t s = begin; s < end; ++s) {
-    factors[s] = point_to_corners(sides_.centre(s), sides_.normal(s), from.corners, from.normal);
-    if (factors[s] == 0) continue;
-    const int samples = from.emits ? 4 * samples_ : factors[s] < kFar ? 1 : samples_;
-    if (!look(from, s, samples, hash_combine(hash_combine(seed_, uint32_t(shooter)), uint32_t(s)), s - begin, queue))
-      passed[s - begin] = 1;  // a sliver above the horizon that no sample has met
-  }
+void occlude(const ShotGeometry& geometry, const Visibility& visibility, size_t shooter, size_t begin,
+             std::span<const int> samples, uint32_t seed, std::span<double> factors) {
+  Looks looks;
+  VisibilityQueue queue(visibility, Coherence::coherent, looks.passed);
+  const auto look = [&](size_t i, int from, int to) {
+    const uint32_t own = hash_combine(hash_combine(seed, uint32_t(shooter)), uint32_t(begin + i));
+    for (int k = from; k < to; ++k) {
+      const CoarsePatches::Place x = geometry.place(begin + i, sobol_owen(uint32_t(k), hash32(own)));
+      const ShotGeometry::Target y = geometry.target(shooter, sobol_owen(uint32_t(k), own));
+      const Vec3 d = y.point - x.point, n = geometry.sides().normal(x.side);
+      const float squared = squared_length(d);
+      const float weight = std::max(0.0f, dot(n, d)) * std::max(0.0f, -dot(y.normal, d)) / (squared * squared);
+      if (!(weight > 0)) continue;
+      looks.weights[i] += weight;
+      queue.add(visibility.between(x.point, n, y.point, y.normal), uint32_t(i), weight);
+    }
+  };
+  for (size_t i = 0; i < factors.size(); ++i)
+    if (factors[i] > 0) look(i, 0, samples[i]);
   queue.flush();
-  for (size_t s = begin; s < end; ++s) factors[s] *= double(std::min(passed[s - begin], 1.0f));
+  for (size_t i = 0; i < factors.size(); ++i)  // in the half shade
+    if (looks.passed[i] > 0 && looks.passed[i] < kClear * looks.weights[i])
+      look(i, samples[i], kMoreInHalfShade * samples[i]);
+  queue.flush();
+  for (size_t i = 0; i < factors.size(); ++i)  // a sliver above the horizon may be met by no sample
+    if (looks.weights[i] > 0) factors[i] *= double(std::min(looks.passed[i] / looks.weights[i], 1.0f));
 }
 
-/// Sends shadow rays from receiver s to the patch, each weighted as its place contributes to the factor.
-bool RayCastShots::look(const Sides::Shooter& from, size_t s, int samples, uint32_t seed, size_t owner,
-                        VisibilityQueue& queue) const {
-  const Point3 x = sides_.centre(s);
-  const Vec3 n = sides_.normal(s);
-  float weights[kMostSamples], sum = 0;
-  Point3 places[kMostSamples];
-  for (int k = 0; k < samples; ++k) {
-    places[k] = point_on(from.corners, sobol_owen(uint32_t(k), seed));
-    const Vec3 d = places[k] - x;
-    const float squared = squared_length(d);
-    weights[k] = std::max(0.0f, dot(n, d)) * std::max(0.0f, -dot(from.normal, d)) / (squared * squared);
-    sum += weights[k];
-  }
-  if (!(sum > 0)) return false;
-  for (int k = 0; k < samples; ++k)
-    if (weights[k] > 0) queue.add(visibility_.between(x, n, places[k], from.normal), uint32_t(owner), weights[k] / sum);
-  return true;
+void RayCastShots::column(size_t shooter, std::span<double> factors) const {
+  const size_t chunks = (factors.size() + kShotChunk - 1) / kShotChunk;
+  parallel_for(chunks, 1, [&](size_t begin, size_t end) {
+    int samples[kShotChunk];
+    for (size_t chunk = begin; chunk < end; ++chunk) {
+      const size_t first = chunk * kShotChunk, count = std::min(kShotChunk, factors.size() - first);
+      for (size_t i = 0; i < count; ++i) {
+        factors[first + i] = unoccluded_factor(geometry_, shooter, first + i);
+        samples[i] = geometry_.emits(shooter) ? 4 * samples_ : factors[first + i] < kFar ? 1 : samples_;
+      }
+      occlude(geometry_, visibility_, shooter, first, {samples, count}, seed_, factors.subspan(first, count));
+    }
+  });
 }
 
 }  // namespace aktina

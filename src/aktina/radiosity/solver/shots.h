@@ -2,34 +2,46 @@
 #pragma once
 
 #include "aktina/radiosity/formfactor/formfactor.h"
-#include "aktina/radiosity/solver/sides.h"
+#include "aktina/radiosity/solver/shot_geometry.h"
 #include "aktina/radiosity/solver/visibility.h"
 
 namespace aktina {
 
-/// The patch as seen from the middle of each receiver: Lambert's contour formula times the share of shadow rays that
-/// get through, to places spread over the patch, other ones for each receiver. Rays as in J. Wallace, K. Elmquist,
-/// E. Haines, "A Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989; their sum of discs, too low near by,
-/// is replaced by the exact factor, so that rays only decide what is in the shade.
-/// Cost: one to sixteen rays a receiver that faces the patch.
+inline constexpr size_t kShotChunk = 256;  // receivers that are looked after together
+
+/// Factor from the middle of a receiver to a shooter as if nothing were in between.
+double unoccluded_factor(const ShotGeometry& geometry, size_t shooter, size_t receiver);
+
+/// Multiplies factors of receivers [begin, begin + factors.size()), at most kShotChunk, by the share of shadow rays
+/// that get through, from places spread over the receiver to places spread over the shooter, other ones for each
+/// receiver. Four times as many where only some do.
+/// @param samples  rays of each receiver
+void occlude(const ShotGeometry& geometry, const Visibility& visibility, size_t shooter, size_t begin,
+             std::span<const int> samples, uint32_t seed, std::span<double> factors);
+
+/// What shoots as seen from the middle of each receiver: Lambert's contour formula times the share of shadow rays that
+/// get through. Rays as in J. Wallace, K. Elmquist, E. Haines, "A Ray Tracing Algorithm for Progressive Radiosity",
+/// SIGGRAPH 1989; their sum of discs, too low near by, is replaced by the exact factor, so that rays only decide what
+/// is in the shade.
+/// Cost: one to sixteen rays a receiver that faces what shoots, four times as many in the half shade.
 class RayCastShots final : public FactorSource {
  public:
   static constexpr int kMostSamples = 256;
-  /// @param samples  shadow rays of a receiver to a patch near by; emitters get four times as many, patches that are
-  /// small from there one
-  RayCastShots(const Sides& sides, const Visibility& visibility, int samples, uint32_t seed)
-      : sides_(sides), visibility_(visibility), samples_(samples), seed_(seed) {}
+  /// @param samples  shadow rays of a receiver to what shoots near by; emitters get four times as many, what is small
+  /// from there gets one
+  /// @param rays  of the same geometry; may be null
+  RayCastShots(const ShotGeometry& geometry, const Visibility& visibility, int samples, uint32_t seed,
+               const LightRays* rays = nullptr)
+      : geometry_(geometry), visibility_(visibility), samples_(samples), seed_(seed), rays_(rays) {}
   void column(size_t shooter, std::span<double> factors) const override;
+  const LightRays* rays() const override { return rays_; }
 
  private:
-  void column(size_t shooter, size_t begin, size_t end, std::span<double> factors) const;
-  bool look(const Sides::Shooter& from, size_t s, int samples, uint32_t seed, size_t owner,
-            VisibilityQueue& queue) const;
-
-  const Sides& sides_;
+  const ShotGeometry& geometry_;
   const Visibility& visibility_;
   int samples_;
   uint32_t seed_;
+  const LightRays* rays_;
 };
 
 /// A row of any form-factor method, from the middle of what shoots: one row a shot, as progressive refinement with the
@@ -45,10 +57,10 @@ class RowShots final : public FactorSource {
   std::unique_ptr<FormFactorMethod> method_;
 };
 
-/// The shots that RadiosityOptions::formfactor names: "ray_cast" (with `samples`), or a row of formfactors().
-/// @throws Error usage, bad_param, no_such_method, unsupported, limit
-std::unique_ptr<FactorSource> make_shots(std::string_view formfactor, const Sides& sides, const Visibility& visibility,
-                                         uint32_t seed);
+/// Whether RadiosityOptions::formfactor names rays: "ray_cast" (with `samples`).
+bool is_ray_cast(std::string_view formfactor);
+/// The `samples` of "ray_cast". @throws Error usage, bad_param
+int ray_cast_samples(std::string_view formfactor);
 
 /// Factor from a differential area at x with normal n to a planar triangle or convex quadrilateral, both one-sided; no
 /// visibility. Relative error 1e-6; absolute 1e-9.

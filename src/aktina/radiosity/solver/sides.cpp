@@ -1,6 +1,7 @@
 #include "aktina/radiosity/solver/sides.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aktina {
 
@@ -17,6 +18,14 @@ Sides::Sides(const PatchMesh& mesh) : mesh_(&mesh) {
     shooters_.push_back(shooter(each, uint32_t(size()), true));
     for (uint32_t i = 0; i < each.count; ++i) backs_.push_back(each.first + i);
   }
+}
+
+Point3 Sides::point(size_t side, Vec2 u) const {
+  const auto& c = mesh_->patches[patch(side)];
+  const auto p = [&](size_t k) { return mesh_->positions[c[k]]; };
+  if (c[2] != c[3]) return (p(0) * (1 - u.x) + p(1) * u.x) * (1 - u.y) + (p(3) * (1 - u.x) + p(2) * u.x) * u.y;
+  const float root = std::sqrt(u.x);
+  return p(0) * (1 - root) + (p(1) * (1 - u.y) + p(2) * u.y) * root;
 }
 
 Sides::Shooter Sides::shooter(const PatchMesh::Shooter& of, uint32_t first, bool back) const {

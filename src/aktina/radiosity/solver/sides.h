@@ -21,6 +21,9 @@ class Sides {
     const Vec3 n = mesh_->patch_normals[patch(side)];
     return is_back(side) ? -n : n;
   }
+  /// A place on a side; evenly over its area where u is over the unit square (nearly, on quadrilaterals that are no
+  /// parallelograms).
+  Point3 point(size_t side, Vec2 u) const;
   const PatchMesh& mesh() const { return *mesh_; }
 
   /// The outline of what shoots together, counter-clockwise seen from its side; the last two corners of a triangle are

@@ -7,7 +7,9 @@
 
 #include "aktina/base/error.h"
 #include "aktina/radiosity/mesher/mesher.h"
+#include "aktina/radiosity/solver/direct_apart.h"
 #include "aktina/radiosity/solver/direct_light.h"
+#include "aktina/radiosity/solver/quality.h"
 #include "aktina/radiosity/solver/reconstruct.h"
 #include "aktina/radiosity/solver/shots.h"
 #include "aktina/radiosity/solver/solver.h"
@@ -17,22 +19,22 @@ namespace aktina {
 namespace {
 
 std::string settings_of(const RadiosityOptions& o) {
-  return fmt::format("solver={} formfactor={} mesher={} patch_size={:g} tolerance={:g} most_steps={} seed={}", o.solver,
-                     o.formfactor, o.mesher, o.patch_size, o.tolerance, o.most_steps, o.seed);
+  return fmt::format(
+      "solver={} formfactor={} mesher={} quality={} patch_size={:g} tolerance={:g} target_error={:g} "
+      "indirect_size={:g} "
+      "most_steps={} seed={}",
+      o.solver, o.formfactor, o.mesher, o.quality, o.patch_size, o.tolerance, o.target_error, o.indirect_size,
+      o.most_steps, o.seed);
 }
 
 /// Values of sides as the solution has them: by patch, front and back.
-void copy(const Sides& sides, const std::vector<double>& values, std::vector<Irradiance>& front,
-          std::vector<Irradiance>& back) {
+template <class Value>
+void copy(const Sides& sides, const Value& value, std::vector<Irradiance>& front, std::vector<Irradiance>& back) {
   front.assign(sides.mesh().size(), Irradiance()), back.assign(sides.mesh().size(), Irradiance());
-  for (size_t s = 0; s < sides.size(); ++s)
-    (sides.is_back(s) ? back : front)[sides.patch(s)].v = {float(values[3 * s]), float(values[3 * s + 1]),
-                                                           float(values[3 * s + 2])};
+  for (size_t s = 0; s < sides.size(); ++s) (sides.is_back(s) ? back : front)[sides.patch(s)].v = value(s);
 }
 
-void fill(Solution& solution, const Sides& sides, const RadiosityState& state) {
-  copy(sides, state.irradiances, solution.irradiances, solution.back_irradiances);
-  copy(sides, state.direct, solution.direct_irradiances, solution.back_direct_irradiances);
+void fill(Solution& solution, const RadiosityState& state) {
   solution.radiosities.resize(solution.mesh.size());
   for (size_t i = 0; i < solution.mesh.size(); ++i)
     solution.radiosities[i].v =
@@ -70,37 +72,95 @@ void require_light(const Scene& scene, const PatchMesh& mesh) {
 SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
   SolverControl control;
   control.tolerance = options.tolerance;
+  control.target_error = options.target_error;
   control.most_steps = options.most_steps;
+  control.seed = options.seed;
   control.progress = progress;
   return control;
 }
 
+/// All light on all patches.
+class SolveOnPatches {
+ public:
+  SolveOnPatches(const Scene& scene, const Sides& sides, const RadiosityOptions& options, Progress* progress)
+      : sides_(sides), visibility_(scene), geometry_(sides), problem_(sides.problem()) {
+    if (is_ray_cast(options.formfactor))
+      factors_ =
+          std::make_unique<RayCastShots>(geometry_, visibility_, ray_cast_samples(options.formfactor), options.seed);
+    else
+      factors_ = std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", options.formfactor));
+    problem_.arriving = direct_light(scene, sides, visibility_, options.seed, progress);
+  }
+
+  void solve(const RadiositySolver& solver, const RadiosityOptions& options, SolverControl control,
+             Solution& solution) const {
+    const auto take = [&](const RadiosityState& state) {
+      const auto of = [](const std::vector<double>& v) {
+        return [&v](size_t s) { return Rgb(float(v[3 * s]), float(v[3 * s + 1]), float(v[3 * s + 2])); };
+      };
+      copy(sides_, of(state.irradiances), solution.irradiances, solution.back_irradiances);
+      copy(sides_, of(state.direct), solution.direct_irradiances, solution.back_direct_irradiances);
+      fill(solution, state);
+    };
+    if (options.each_step)
+      control.each_step = [&](const RadiosityState& state) {
+        take(state);
+        options.each_step({state.steps, state.unshot_share, ambient_light(problem_, state), &solution});
+      };
+    take(solver.solve(problem_, *factors_, control));
+  }
+
+ private:
+  const Sides& sides_;
+  Visibility visibility_;
+  ShotGeometry geometry_;
+  std::unique_ptr<FactorSource> factors_;
+  RadiosityProblem problem_;
+};
+
+void solve_apart(const DirectApart& apart, const RadiositySolver& solver, const Sides& sides,
+                 const RadiosityOptions& options, SolverControl control, Solution& solution) {
+  const auto take = [&](const RadiosityState& coarse) {
+    const DirectApart::Light light = apart.on_sides(coarse);
+    copy(
+        sides, [&](size_t s) { return light.irradiances[s]; }, solution.irradiances, solution.back_irradiances);
+    copy(
+        sides, [&](size_t s) { return light.direct[s]; }, solution.direct_irradiances,
+        solution.back_direct_irradiances);
+    fill(solution, light.account);
+  };
+  if (options.each_step)
+    control.each_step = [&](const RadiosityState& state) {
+      take(state);
+      options.each_step({state.steps, solution.unshot, ambient_light(apart.problem(), state), &solution});
+    };
+  control.tolerance *= apart.emitted() / std::max(apart.problem().emitted(), 1e-300);
+  take(solver.solve(apart.problem(), apart.factors(), control));
+}
+
 }  // namespace
 
-Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options, Progress* progress) {
+Solution solve_radiosity(const Scene& scene, const RadiosityOptions& given, Progress* progress) {
+  const RadiosityOptions options = resolved(given);
   const auto mesher = make_method(meshers(), "mesher", options.mesher);
   const auto solver = make_method(solvers(), "radiosity", options.solver);
+  const bool apart = options.indirect_size > 0 && is_ray_cast(options.formfactor);
   const TessellatedScene tessellated(scene);
   Solution solution;
   solution.settings = settings_of(options);
   solution.scene_hash = hash(scene).text();
   solution.seed = options.seed;
   if (progress) progress->begin("meshing", "patches", 0);
-  solution.mesh = mesher->mesh(*tessellated, {options.patch_size, options.most_patches}, solution.warnings);
+  const MeshOptions mesh = mesh_options(options, apart);
+  solution.mesh = mesher->mesh(*tessellated, mesh, solution.warnings);
   require_light(scene, solution.mesh);
 
   const Sides sides(solution.mesh);
-  const Visibility visibility(*tessellated);
-  const auto factors = make_shots(options.formfactor, sides, visibility, options.seed);
-  RadiosityProblem problem = sides.problem();
-  problem.arriving = direct_light(*tessellated, sides, visibility, options.seed, progress);
-  SolverControl control = control_of(options, progress);
-  if (options.each_step)
-    control.each_step = [&](const RadiosityState& state) {
-      fill(solution, sides, state);
-      options.each_step({state.steps, state.unshot_share, ambient_light(problem, state), &solution});
-    };
-  fill(solution, sides, solver->solve(problem, *factors, control));
+  const SolverControl control = control_of(options, progress);
+  if (apart)
+    solve_apart(DirectApart(*tessellated, sides, options, mesh, progress), *solver, sides, options, control, solution);
+  else
+    SolveOnPatches(*tessellated, sides, options, progress).solve(*solver, options, control, solution);
   reconstruct_vertices(solution);
   return solution;
 }

@@ -17,6 +17,8 @@ class RadiositySolver {
   /// threads. @throws Error limit
   virtual RadiosityState solve(const RadiosityProblem& problem, const FactorSource& factors,
                                const SolverControl& control) const = 0;
+  /// Whether factors must keep A_i F_ij = A_j F_ji.
+  virtual bool needs_reciprocity() const { return false; }
 };
 
 using RadiositySolverRow = Method<std::unique_ptr<RadiositySolver>>;
@@ -32,10 +34,12 @@ struct RadiositySystem {
 
 /// B = E + rho F B for each band, in the unit of E.
 /// @param solver     as solvers() lists them
-/// @param tolerance  relative: of the largest B (matrix), of the emitted flux (progressive)
+/// @param tolerance  relative: of the largest B (matrix), of the emitted flux (progressive); stochastic_jacobi samples
+/// to 0.002 at best
 /// @return B, patches x bands, row by row
 /// @throws Error bad_param (a value that is not finite or negative, a reflectance of 1 and above or a reflectance times
-/// a row's sum of 1 and above: no finite solution), no_such_method
+/// a row's sum of 1 and above: no finite solution; factors without reciprocity where the solver needs it),
+/// no_such_method
 std::vector<double> solve_radiosity_system(const RadiositySystem& system, std::string_view solver = "matrix",
                                            double tolerance = 1e-12, Progress* progress = nullptr);
 

@@ -10,6 +10,9 @@
 namespace aktina {
 namespace {
 
+constexpr double kReciprocity = 1e-4;  // relative
+constexpr double kLeastError = 2e-3;   // that samples are asked for
+
 class GivenFactors final : public FactorSource {
  public:
   explicit GivenFactors(const RadiositySystem& system) : system_(system) {}
@@ -44,6 +47,31 @@ void check(const RadiositySystem& system) {
   }
 }
 
+/// Areas that A_i F_ij = A_j F_ji asks for, in that of the first patch of each group that sees each other; empty where
+/// no areas do.
+std::vector<double> reciprocal_areas(const RadiositySystem& system) {
+  const size_t n = system.patches;
+  const auto f = [&](size_t i, size_t j) { return system.factors[i * n + j]; };
+  std::vector<double> areas(n, 0);
+  std::vector<size_t> open;
+  for (size_t first = 0; first < n; ++first) {
+    if (areas[first] > 0) continue;
+    areas[first] = 1, open.push_back(first);
+    while (!open.empty()) {
+      const size_t i = open.back();
+      open.pop_back();
+      for (size_t j = 0; j < n; ++j)
+        if (areas[j] == 0 && f(i, j) > 0 && f(j, i) > 0) areas[j] = areas[i] * f(i, j) / f(j, i), open.push_back(j);
+    }
+  }
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < i; ++j) {
+      const double out = areas[i] * f(i, j), back = areas[j] * f(j, i);
+      if (!(std::abs(out - back) <= kReciprocity * (out + back))) return {};
+    }
+  return areas;
+}
+
 }  // namespace
 
 std::vector<double> solve_radiosity_system(const RadiositySystem& system, std::string_view solver, double tolerance,
@@ -53,12 +81,17 @@ std::vector<double> solve_radiosity_system(const RadiositySystem& system, std::s
   RadiosityProblem problem;
   problem.bands = system.bands;
   problem.weights.assign(system.bands, 1);
-  problem.areas.assign(system.patches, 1);
+  problem.areas = reciprocal_areas(system);
+  if (problem.areas.empty() && method->needs_reciprocity())
+    throw Error(Code::bad_param, "F", "no areas fit these form factors: A_i F_ij is not A_j F_ji",
+                "form factors that keep reciprocity, or another solver");
+  if (problem.areas.empty()) problem.areas.assign(system.patches, 1);
   problem.emissions.assign(system.emissions.begin(), system.emissions.end());
   problem.reflectances.assign(system.reflectances.begin(), system.reflectances.end());
   problem.shoot_one_by_one();
   SolverControl control;
   control.tolerance = tolerance;
+  control.target_error = std::max(tolerance, kLeastError);
   control.progress = progress;
   const RadiosityState state = method->solve(problem, GivenFactors(system), control);
   if (progress) progress->throw_if_cancelled();

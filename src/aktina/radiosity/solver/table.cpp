@@ -3,10 +3,11 @@
 
 namespace aktina {
 
-extern const RadiositySolverRow progressive_radiosity, matrix_radiosity;
+extern const RadiositySolverRow stochastic_jacobi_radiosity, progressive_radiosity, matrix_radiosity;
 
 std::span<const RadiositySolverRow* const> solvers() {
-  static constexpr const RadiositySolverRow* kTable[] = {&progressive_radiosity, &matrix_radiosity};
+  static constexpr const RadiositySolverRow* kTable[] = {&stochastic_jacobi_radiosity, &progressive_radiosity,
+                                                         &matrix_radiosity};
   return kTable;
 }
 

@@ -1,0 +1,61 @@
+// Neighbouring shooters of about one orientation taken together: what exchanges indirect light, which changes slowly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "aktina/radiosity/solver/sides.h"
+
+namespace aktina {
+
+/// Sides belong to one instance and one side of it, lie in one cell of a grid, face the same way within about 30
+/// degrees and hang together by their corners. Shooters longer than half a cell are patches of their own.
+class CoarsePatches {
+ public:
+  /// @param size    m, edge of the cells
+  /// @param buried  by side: 1 for what no light reaches, which does not count where its patch has others
+  CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried);
+
+  size_t size() const { return areas_.size(); }
+  uint32_t patch_of_shooter(size_t shooter) const { return of_shooter_[shooter]; }
+  uint32_t patch_of_side(size_t side) const { return of_side_[side]; }
+  double area(size_t patch) const { return areas_[patch]; }                   // m^2
+  Point3 centre(size_t patch) const { return all_.centre(middles_[patch]); }  // of the side in the middle
+  Vec3 normal(size_t patch) const { return normals_[patch]; }
+  uint32_t middle(size_t patch) const { return middles_[patch]; }  // that side
+  bool buried(size_t patch) const { return buried_[patch]; }
+
+  std::span<const uint32_t> shooters(size_t patch) const {
+    return {shooters_.data() + first_shooter_[patch], first_shooter_[patch + 1] - first_shooter_[patch]};
+  }
+  /// The sides that count.
+  std::span<const uint32_t> sides(size_t patch) const {
+    return {sides_.data() + first_side_[patch], first_side_[patch + 1] - first_side_[patch]};
+  }
+  /// A side and a place on it, evenly over the patch's area. Well spread where u is.
+  struct Place {
+    uint32_t side;
+    Point3 point;
+  };
+  Place place(size_t patch, Vec2 u) const;
+
+  /// Area means of values of sides, in any number of bands, over the sides that count.
+  std::vector<double> means(std::span<const double> values, size_t bands) const;
+
+ private:
+  void group(double size);
+  void list_sides(const std::vector<uint8_t>& buried);
+  void find_middle(size_t patch);
+
+  const Sides& all_;
+  std::vector<uint32_t> of_shooter_, of_side_;
+  std::vector<uint32_t> shooters_, first_shooter_, sides_, first_side_;
+  std::vector<float> sums_;  // of areas of a patch's sides up to and with each
+  std::vector<double> areas_;
+  std::vector<uint32_t> middles_;
+  std::vector<Vec3> normals_;
+  std::vector<uint8_t> buried_;
+};
+
+}  // namespace aktina
