@@ -153,6 +153,59 @@ TEST(AngularPower, ALampInTheNormalsPlaneGivesTheParabolasOfALinearAngle) {
   for (const float t : {0.0f, 0.4f, 1.0f}) EXPECT_NEAR(p.from + p.turn * t, (50 * t - 20) * kDegree, 1e-5f);
 }
 
+/// What methods draw along a scanline from edge to edge, pixel by pixel: lamp and viewer far away, white light.
+struct AngularSpan : testing::Test {
+  static constexpr int kSteps = 40;
+  const Vec3 n[2] = {normalize(Vec3(-0.3f, 0.1f, 1)), normalize(Vec3(0.5f, 0.2f, 1))},
+             l = normalize(Vec3(0.2f, 0.3f, 1));
+  const Light lamp = DirectionalLight{-l, Irradiance(Rgb(float(kPi)))};
+  const Viewer viewer{{0, 0, 1}, true};
+  const Vec3 h = normalize(l + viewer.at);
+
+  /// Steps from the middle of one edge to that of another, whose ends have the same normals.
+  std::vector<Lit> draw(const char* method, float exponent) const {
+    const Surface surface{.kd = Rgb(1), .ks = Rgb(1), .exponent = exponent};
+    const Illuminator light(BlinnPhong{}, surface, std::span(&lamp, 1), Rgb(0), viewer);
+    ShadedTriangle t;
+    t.screen[0] = {0, 0}, t.screen[1] = {0, 2}, t.screen[2] = {float(kSteps), 1};
+    t.normal[0] = t.normal[1] = n[0], t.normal[2] = n[1];
+    std::vector<Vec3> points;
+    for (int i = 0; i <= kSteps; ++i) {
+      const float s = float(i) / kSteps;
+      points.emplace_back((1 - s) / 2, (1 - s) / 2, s);
+    }
+    return shade(*make_method(shading_methods(), "shading", method), light, t, points);
+  }
+};
+
+TEST_F(AngularSpan, DiffuseLightIsTheRecurrenceOfTheCosine) {
+  const TurningPair pair{{n[0], n[1]}, {l, l}};
+  for (const auto& [method, waves] : {std::pair{"angular", turning_cosine(pair)},
+                                      {"angular_decomposed", decomposed_cosine(pair)},
+                                      {"angular_combined", CombinedPair(pair).cosine()}}) {
+    const auto lit = draw(method, 20);
+    const auto cosine = cosine_recurrence(waves, kSteps);
+    for (size_t i = 0; i <= kSteps; ++i) EXPECT_NEAR(lit[i].diffuse.g, cosine[i], 1e-5f) << method << i;
+  }
+}
+
+TEST_F(AngularSpan, HighlightIsTheRecurrenceOfItsParabolas) {
+  for (const float exponent : {2.0f, 20.0f, 150.0f}) {
+    const auto lit = draw("angular_power", exponent);
+    const auto power = power_recurrence(power_of_angle(CombinedPair({{n[0], n[1]}, {h, h}}), exponent), kSteps);
+    for (size_t i = 0; i <= kSteps; ++i) EXPECT_NEAR(lit[i].specular.g, power[i], 3e-5f) << exponent << ' ' << i;
+  }
+}
+
+TEST_F(AngularSpan, SphericalNormalsAreTheRecurrenceOfTheArc) {
+  const auto lit = draw("spherical", 20);
+  const auto normals = arc_recurrence(Arc(n[0], n[1]), kSteps);
+  for (size_t i = 0; i <= kSteps; ++i) {
+    EXPECT_NEAR(lit[i].diffuse.g, dot(normals[i], l), 1e-5f);
+    EXPECT_NEAR(lit[i].specular.g, std::pow(dot(normals[i], h), 20.0f), 1e-4f);
+  }
+}
+
 struct AngularPicture : testing::Test {
   Surface surface{.kd = Rgb(0.7f), .ks = Rgb(0.5f), .exponent = 20};
   std::vector<Light> lamps{DirectionalLight{normalize(Vec3(-0.3f, 0.2f, -1)), Irradiance({3, 2, 1})},

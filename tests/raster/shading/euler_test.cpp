@@ -89,6 +89,29 @@ TEST(EulerShading, DiffersFromGouraudByAnEighthOfTheBendAtMost) {
   EXPECT_NEAR(worst, std::abs(ends.bend()) / 8, 1e-5f);
 }
 
+TEST(EulerShading, PicturesAreTheRecurrence) {
+  constexpr int kSteps = 40;
+  const Vec3 n[2] = {normalize(Vec3(-0.3f, 0.1f, 1)), normalize(Vec3(0.5f, 0.2f, 1))},
+             l = normalize(Vec3(0.2f, 0.3f, 1));
+  const Light lamp = DirectionalLight{-l, Irradiance(Rgb(float(kPi)))};
+  const Surface surface{.kd = Rgb(1)};
+  const Illuminator light(Lambert{}, surface, std::span(&lamp, 1), Rgb(0), {{0, 0, 1}, true});
+  ShadedTriangle triangle;  // the scanline from the middle of one edge to a corner, both at the middle of a pixel
+  triangle.screen[0] = {0, 0}, triangle.screen[1] = {0, 2}, triangle.screen[2] = {float(kSteps), 1};
+  triangle.normal[0] = triangle.normal[1] = n[0], triangle.normal[2] = n[1];
+  std::vector<Vec3> points;
+  for (int i = 0; i <= kSteps; ++i) {
+    const float s = float(i) / kSteps;
+    points.emplace_back((1 - s) / 2, (1 - s) / 2, s);
+  }
+  for (const bool corrected : {false, true}) {
+    const std::string name = corrected ? "euler:threshold=0" : "euler:threshold=0,corrected=0";
+    const auto lit = shade(*make_method(shading_methods(), "shading", name), light, triangle, points);
+    const auto recurrence = euler_recurrence(EulerSlopes({{n[0], n[1]}, {l, l}}), kSteps, corrected);
+    for (size_t i = 0; i <= kSteps; ++i) EXPECT_NEAR(lit[i].diffuse.g, recurrence[i], 1e-5f) << name << i;
+  }
+}
+
 struct EulerPicture : testing::Test {
   const Surface surface{.kd = Rgb(0.7f), .ks = Rgb(0.5f), .exponent = 10};
   const Light lamp = DirectionalLight{normalize(Vec3(-0.3f, 0.2f, -1)), Irradiance(Rgb(3))};

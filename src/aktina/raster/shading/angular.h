@@ -43,6 +43,10 @@ PowerOfAngle power_of_angle(const CombinedPair& pair, float exponent);
 /// The power itself: f = 1 - a^2 / (A B) for |a| < A, (|a| - B)^2 / (B (B - A)) for A < |a| < B, 0 beyond.
 float kuijk_power(float angle, float exponent);
 
+/// The published recurrence of the power at t = i / steps: two additions a sample; a parabola begins with its value and
+/// its first difference where the angle passes from one to the next. @pre  steps >= 1
+std::vector<float> power_recurrence(const PowerOfAngle& power, int steps);
+
 /// The published recurrence of a cosine: c[i + 1] = 2 cos(delta) c[i] - c[i - 1], one for each wave, at samples
 /// t = i / steps. @pre  steps >= 1
 std::vector<float> cosine_recurrence(const Waves& waves, int steps);

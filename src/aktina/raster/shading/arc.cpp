@@ -107,6 +107,30 @@ float kuijk_power(float angle, float exponent) {
   return a < outer ? (a - outer) * (a - outer) / (outer * (outer - inner)) : 0;
 }
 
+std::vector<float> power_recurrence(const PowerOfAngle& p, int steps) {
+  const double inner = p.inner, outer = p.outer, delta = double(p.turn) / steps;
+  // Of the parabolas from left to right: beyond, rim, middle, rim, beyond.
+  const auto piece = [&](double a) { return a < -outer ? 0 : a < -inner ? 1 : a < inner ? 2 : a < outer ? 3 : 4; };
+  const auto value = [&](int which, double a) {
+    if (which == 2) return p.scale * (1 - a * a / (inner * outer));
+    const double left = outer - (which == 1 ? -a : a);
+    return which == 1 || which == 3 ? p.scale * left * left / (outer * (outer - inner)) : 0;
+  };
+  std::vector<float> out;
+  double now = 0, step = 0, change = 0;
+  for (int i = 0, before = -1; i <= steps; ++i) {
+    const double a = p.from + delta * i;
+    if (const int which = piece(a); which != before) {
+      now = value(which, a), step = value(which, a + delta) - now;
+      change = value(which, a + 2 * delta) - 2 * value(which, a + delta) + now;
+      before = which;
+    }
+    out.push_back(float(now));
+    now += step, step += change;
+  }
+  return out;
+}
+
 std::vector<float> cosine_recurrence(const Waves& w, int steps) {
   std::vector<float> out(size_t(steps) + 1);
   for (int k = 0; k < 2; ++k) {
