@@ -46,7 +46,7 @@ class ChunkBuilder {
                    chunk_.planes.data() + chunk_.count * frame_.stride(), frame_.stride());
     }
     if (pipeline.spans()) keep_group(pipeline, corners);
-    for (int i = 0; i < corners.count; ++i) sort_in(pipeline, corners, size_t(i));
+    sort_in(pipeline, corners);
     chunk_.count += uint32_t(corners.count);
   }
 
@@ -66,17 +66,20 @@ class ChunkBuilder {
     fill_group(frame_, pipeline, corners, chunk_.groups[chunk_.group_count++]);
   }
 
-  void sort_in(const Pipeline& pipeline, const CornerGroup& corners, size_t i) {
-    const uint32_t record = chunk_.count + uint32_t(i);
-    const TriangleRecord& r = chunk_.records[record];
-    chunk_.sources[record] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0, uint8_t(i),
-                              chunk_.group_count - 1};
-    const uint32_t first = r.first_y / uint32_t(kBandRows), last = r.last_y / uint32_t(kBandRows);
-    if (pipeline.blended()) {
-      const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
-      for (uint32_t band = first; band <= last; ++band) chunk_.blended[band].push_back({record, depth});
-    } else {
-      for (uint32_t band = first; band <= last; ++band) chunk_.bands[band].push_back(record);
+  void sort_in(const Pipeline& pipeline, const CornerGroup& corners) {
+    for (size_t i = 0; i < size_t(corners.count); ++i)
+      chunk_.sources[chunk_.count + i] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0, uint8_t(i),
+                                          chunk_.group_count - 1};
+    for (size_t i = 0; i < size_t(corners.count); ++i) {
+      const uint32_t record = chunk_.count + uint32_t(i);
+      const TriangleRecord& r = chunk_.records[record];
+      const uint32_t first = r.first_y / uint32_t(kBandRows), last = r.last_y / uint32_t(kBandRows);
+      if (pipeline.blended()) {
+        const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
+        for (uint32_t band = first; band <= last; ++band) chunk_.blended[band].push_back({record, depth});
+      } else {
+        for (uint32_t band = first; band <= last; ++band) chunk_.bands[band].push_back(record);
+      }
     }
   }
 

@@ -44,7 +44,9 @@ Pipelines::Pipelines(const PipelineSettings& settings, const DrawList& list, con
     any_deferred = any_deferred || !p.immediate;
     any_blended = any_blended || p.blended();
     any_spans = any_spans || p.spans();
-    any_radiance = any_radiance || (p.plan.needs & ShadingPlan::kRadiance);
+    if (!(p.plan.needs & ShadingPlan::kRadiance)) continue;
+    any_radiance = true;
+    any_specular = any_specular || p.radiance_channels() == 6;
   }
 }
 

@@ -53,7 +53,8 @@ struct Pipelines {
   std::vector<Pipeline> all;
   std::vector<uint32_t> of_part;
   size_t lines = 0;  // of planes a triangle has at most
-  bool any_deferred = false, any_blended = false, any_radiance = false, any_spans = false;
+  bool any_deferred = false, any_blended = false, any_spans = false;
+  bool any_radiance = false, any_specular = false;  // at vertices; apart
 
   Pipelines(const PipelineSettings& settings, const DrawList& list, const Viewer& viewer);
 };

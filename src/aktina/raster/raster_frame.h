@@ -44,10 +44,18 @@ struct TriangleChunk {
   std::vector<std::vector<Blended>> blended;  // by band
 };
 
-/// Radiance at vertices: the illumination model with the vertex normal, or its opposite for backs.
+/// Radiance at vertices: the illumination model with the vertex normal, or its opposite for backs. A row of four
+/// numbers for each side of each vertex: front, back, front, ...; three channels and a number that says nothing.
 struct VertexRadiance {
-  LineArray<float> front[6], back[6];  // channels as TriangleGroup::radiance
+  LineArray<float> light;     // all together; of textured pipelines, what is diffuse
+  LineArray<float> specular;  // of textured pipelines
+  static size_t row(size_t vertex, bool front) { return 8 * vertex + (front ? 0 : 4); }
 };
+
+/// Writes rows of one side of the vertices first, first + 1 ... @param count  of channels' values, padded
+void put_radiance(const float* const (&channels)[3], size_t count, size_t first, bool front, float* rows);
+/// Reads the rows of the corners of a group that is not clipped into out[corner][first_channel ...].
+void take_radiance(const float* rows, const CornerGroup& corners, int first_channel, Lanes (&out)[3][6]);
 
 struct RasterFrame {
   const Scene& scene;

@@ -109,11 +109,8 @@ class Rasterizer::Workshop {
     check_picture(camera, width * side_, height * side_);
     const View view(camera, width * side_, height * side_);
     const Pipelines pipelines(settings_, list_, view.viewer());
-    if (pipelines.any_radiance)
-      for (int k = 0; k < 6; ++k) {
-        radiance_.front[k].resize(list_.vertex_count());
-        radiance_.back[k].resize(list_.vertex_count());
-      }
+    if (pipelines.any_radiance) radiance_.light.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
+    if (pipelines.any_specular) radiance_.specular.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
     const RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
     if (progress) progress->begin("rasterizing", "bands", uint64_t(frame.bands()));
     Lap lap;

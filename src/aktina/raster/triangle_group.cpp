@@ -51,10 +51,15 @@ void fill_face_normals(const DrawList& list, const CornerGroup& c, TriangleGroup
 }
 
 void fill_radiance(const VertexRadiance& radiance, const CornerGroup& c, TriangleGroup& out) {
-  for (int channel = 0; channel < out.channels; ++channel) {
-    const float *front = radiance.front[channel].data(), *back = radiance.back[channel].data();
-    at_corners(c, [&](size_t i, uint32_t v) { return (c.side[i] > 0 ? front : back)[v]; },
-               {&out.radiance[0][channel], &out.radiance[1][channel], &out.radiance[2][channel]});
+  for (int first = 0; first < out.channels; first += 3) {
+    const float* rows = (first == 0 ? radiance.light : radiance.specular).data();
+    if (!c.clipped) {
+      take_radiance(rows, c, first, out.radiance);
+      continue;
+    }
+    for (int k = 0; k < 3; ++k)
+      at_corners(c, [&](size_t i, uint32_t v) { return rows[VertexRadiance::row(v, c.side[i] > 0) + size_t(k)]; },
+                 {&out.radiance[0][first + k], &out.radiance[1][first + k], &out.radiance[2][first + k]});
   }
 }
 
