@@ -67,7 +67,7 @@ class ChunkBuilder {
   }
 
   void sort_in(const Pipeline& pipeline, const CornerGroup& corners) {
-    for (size_t i = 0; i < size_t(corners.count); ++i)
+    for (size_t i = 0; i < size_t(corners.count) && !pipeline.immediate; ++i)
       chunk_.sources[chunk_.count + i] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0, uint8_t(i),
                                           chunk_.group_count - 1};
     for (size_t i = 0; i < size_t(corners.count); ++i) {

@@ -35,7 +35,7 @@ struct TriangleChunk {
   };
   uint32_t count = 0;
   std::vector<TriangleRecord> records;
-  std::vector<RecordSource> sources;
+  std::vector<RecordSource> sources;  // says nothing of immediate pipelines
   LineArray<float> planes;
   uint32_t group_count = 0;
   std::vector<TriangleGroup> groups;  // of pipelines on spans

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
+#include <numeric>
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
@@ -14,7 +16,7 @@
 namespace aktina {
 namespace {
 
-constexpr uint32_t kVertexPiece = 4096;  // vertices that one task takes
+constexpr uint32_t kVertexPiece = 1024;  // vertices that one task takes
 constexpr size_t kMostMethodsPerScene = 65536;
 
 int side_of(int samples) {
@@ -165,22 +167,40 @@ class Rasterizer::Workshop {
     };
     const bool varies = scene_.environment.shines();
     const Background background{varies ? Rgb() : scene_.background.v, varies, side_ > 1, sky};
-    parallel_for(size_t(frame.bands()), 1, [&](size_t begin, size_t end) {
+    const std::vector<uint32_t> order = fullest_first(frame);
+    std::atomic<size_t> next{0};
+    parallel_for(std::min(order.size(), size_t(thread_count())), 1, [&](size_t, size_t) {
       std::unique_ptr<RasterBand> band = pool_.take();
       band->surface_layers = settings_.surface_layers;
-      for (size_t b = begin; b < end; ++b) {
+      for (size_t i = next++; i < order.size(); i = next++) {
         if (progress) progress->throw_if_cancelled();
-        draw_band(frame, int(b), background, *band);
-        if (side_ == 1) {
-          resolve_colour(*band, frame.view, background.uniform, out.layers[0].image);
-        } else {
-          average_colour(*band, side_, out.layers[0].image);
-        }
-        if (out.layers.size() > 1) resolve_layers(*band, frame.view, side_, layers);
+        draw_band(frame, int(order[i]), background, *band);
+        resolve(frame, background, layers, *band, out);
         if (progress) progress->advance();
       }
       pool_.give_back(std::move(band));
     });
+  }
+
+  /// Bands, those of most triangles first: so the threads come to their end together.
+  std::vector<uint32_t> fullest_first(const RasterFrame& frame) const {
+    std::vector<size_t> triangles(size_t(frame.bands()));
+    for (const TriangleChunk& chunk : chunks_)
+      for (size_t b = 0; b < triangles.size(); ++b) triangles[b] += chunk.bands[b].size() + chunk.blended[b].size();
+    std::vector<uint32_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return triangles[a] > triangles[b]; });
+    return order;
+  }
+
+  void resolve(const RasterFrame& frame, const Background& background, const PictureLayers& layers,
+               const RasterBand& band, LayeredImage& out) const {
+    if (side_ == 1) {
+      resolve_colour(band, frame.view, background.uniform, out.layers[0].image);
+    } else {
+      average_colour(band, side_, out.layers[0].image);
+    }
+    if (out.layers.size() > 1) resolve_layers(band, frame.view, side_, layers);
   }
 
   const Scene& scene_;
