@@ -20,9 +20,12 @@ using RowTag = hn::CappedTag<float, 4>;
 constexpr RowTag kRow;
 constexpr size_t kRowPart = hn::MaxLanes(RowTag());
 
-/// Sixteen columns and four rows of a picture: four blocks, pixel by pixel.
-struct alignas(64) Tile {
-  float v[4][kLanes * 3];
+constexpr int kColumns = 128;  // of a strip
+
+/// Columns and four rows of a picture: blocks, pixel by pixel. Long enough that few lines of the picture are written in
+/// two parts, short enough for the cache.
+struct alignas(64) Strip {
+  float v[kColumns / kBlock][kLanes * 3];
 };
 
 /// A block with its channels interleaved.
@@ -38,13 +41,13 @@ HWY_INLINE void interleave(const RasterBand& band, float farthest, const F (&bac
   }
 }
 
-/// The part of a tile's row that lies within the picture. @param columns  of it, at most 16
-HWY_INLINE void copy_row(const Tile& tile, int row, int columns, float* to) {
-  // The picture is not read again soon: where lines are aligned, it goes past the cache.
-  const bool past_cache = columns == 16 && reinterpret_cast<uintptr_t>(to) % (kRowPart * sizeof(float)) == 0;
+/// The part of a strip's row that lies within the picture. @param columns  of it
+HWY_INLINE void copy_row(const Strip& strip, int row, int columns, float* to) {
+  // The picture is not read again soon: where it is aligned, it goes past the cache.
+  const bool past_cache = reinterpret_cast<uintptr_t>(to) % (kRowPart * sizeof(float)) == 0;
   for (int block = 0; block * kBlock < columns; ++block, to += kBlock * 3) {
-    const float* from = tile.v[block] + row * kBlock * 3;
-    if (past_cache) {
+    const float* from = strip.v[block] + row * kBlock * 3;
+    if (past_cache && (block + 1) * kBlock <= columns) {
       for (size_t i = 0; i < size_t(kBlock * 3); i += kRowPart) hn::Stream(hn::Load(kRow, from + i), kRow, to + i);
     } else {
       std::memcpy(to, from, size_t(std::min(kBlock, columns - block * kBlock)) * 3 * sizeof(float));
@@ -55,14 +58,15 @@ HWY_INLINE void copy_row(const Tile& tile, int row, int columns, float* to) {
 void ResolveColour(const RasterBand& band, const View& view, Rgb background, Image& out) {
   const BlockLayout& layout = band.visible.layout;
   const F behind[3] = {set(background.r), set(background.g), set(background.b)};
-  Tile tile;
+  Strip strip;
   for (int y = 0; y < layout.rows; y += kBlock)
-    for (int x = 0; x < out.width; x += 16) {
+    for (int x = 0; x < out.width; x += kColumns) {
+      const int columns = std::min(kColumns, out.width - x);
       const size_t at = layout.offset(x, layout.first_row + y);
-      for (size_t block = 0; block < 4; ++block)
-        interleave(band, view.farthest(), behind, at + block * kLanes, tile.v[block]);
+      for (int block = 0; block * kBlock < columns; ++block)
+        interleave(band, view.farthest(), behind, at + size_t(block) * kLanes, strip.v[block]);
       for (int row = 0; row < std::min(kBlock, layout.rows - y); ++row)
-        copy_row(tile, row, std::min(16, out.width - x), out.at(x, layout.first_row + y + row));
+        copy_row(strip, row, columns, out.at(x, layout.first_row + y + row));
     }
   hwy::FlushStream();
 }
