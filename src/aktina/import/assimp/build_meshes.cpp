@@ -30,7 +30,7 @@ class Welder {
     for (const uint32_t i : from_of_) {
       mesh.positions.push_back(from_.positions[i]);
       if (!from_.normals.empty()) mesh.normals.push_back(from_.normals[i]);
-      for (const int set : {0, 1})
+      for (const size_t set : {0, 1})
         if (!from_.uv[set].empty()) mesh.uv[set].emplace_back(from_.uv[set][i].x, 1 - from_.uv[set][i].y);
       if (from_.colours.empty()) continue;
       const Vec4 c = from_.colours[i];
@@ -57,7 +57,7 @@ class Welder {
   bool same(uint32_t a, uint32_t b) const {
     bool equal = true;
     attributes(a, [&](const auto& list, uint32_t) {
-      if (!list.empty()) equal &= std::memcmp(&list[a], &list[b], sizeof list[a]) == 0;
+      if (!list.empty()) equal &= list[a] == list[b];
     });
     return equal;
   }

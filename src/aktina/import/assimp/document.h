@@ -2,6 +2,7 @@
 // fields() names the fields of each struct in the order in which they are sent and received.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -30,7 +31,7 @@ struct FileMesh {
   std::string name;
   int32_t material = -1;
   std::vector<Vec3> positions, normals;
-  std::vector<Vec2> uv[2];  // v up
+  std::array<std::vector<Vec2>, 2> uv;  // v up
   std::vector<Vec4> colours;
   std::vector<uint32_t> sizes, corners;  // corners of each polygon; their vertices, polygon after polygon
   template <class Wire>
