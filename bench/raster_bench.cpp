@@ -25,16 +25,16 @@ Scene bumpy_scene(int columns, int rows) {
   return scene;
 }
 
-void methods_against_gouraud() {
-  const Scene scene = bumpy_scene(188, 186);
+void methods_against_gouraud(const Scene& scene, std::string_view size) {
   set_thread_count(1);
   for (const ShadingRow* row : shading_methods()) {
     Rasterizer method(scene, {.shading = std::string(row->info.id)}), gouraud(scene, {.shading = "gouraud"});
     LayeredImage a, b;
     const auto t = bench::race(8, {[&] { method.draw(scene.cameras[0], 1024, 1024, a); },
                                    [&] { gouraud.draw(scene.cameras[0], 1024, 1024, b); }});
-    bench::report(fmt::format("shading.{}.gouraud", row->info.id),
-                  fmt::format("{} shading: time of a frame over Gouraud's", row->info.id), t[0] / t[1], "x");
+    bench::report(fmt::format("shading.{}.{}.gouraud", row->info.id, size),
+                  fmt::format("{} shading, {} triangles: time of a frame over Gouraud's", row->info.id, size),
+                  t[0] / t[1], "x");
   }
   set_thread_count(0);
 }
@@ -102,8 +102,9 @@ void scaling(const Scene& scene, const std::string& shading) {
 }  // namespace
 
 int main() {
-  methods_against_gouraud();
   const Scene fine = bumpy_scene(188, 186), coarse = bumpy_scene(32, 31);
+  methods_against_gouraud(fine, "70k");
+  methods_against_gouraud(coarse, "2k");
   for (const int threads : {1, 2})
     for (const char* shading : {"gouraud", "phong"}) {
       against_llvmpipe(fine, shading, "70k", threads, 3);

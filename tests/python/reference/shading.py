@@ -62,8 +62,13 @@ def angular(case):
     given, t = case.inputs, np.array(case.inputs["t"])
     n, l = [given["Na"], given["Nb"]], [given["La"], given["Lb"]]
     ends = aktina.arc_angle(n, l)
-    return {"cos_a": aktina.interpolate_cosine("angular", n, l, t), "arc_N": aktina.arc_angle(*n),
-            "arc_L": aktina.arc_angle(*l), "linear_angle": np.cos((1 - t) * ends[0] + t * ends[1])}
+    values = {"cos_a": aktina.interpolate_cosine("angular", n, l, t), "arc_N": aktina.arc_angle(*n),
+              "arc_L": aktina.arc_angle(*l), "linear_angle": np.cos((1 - t) * ends[0] + t * ends[1])}
+    if "beta" in case.expected:  # a lamp that stands still: its elevation and azimuth about the normal's circle
+        tangent = aktina.slerp(*n, np.pi / 2 / values["arc_N"])
+        values["beta"] = np.arcsin(np.dot(l[0], np.cross(n[0], tangent)))
+        values["t0"] = np.arctan2(np.dot(l[0], tangent), np.dot(l[0], n[0]))
+    return values
 
 
 def euler(case):

@@ -92,6 +92,7 @@ HWY_INLINE void add_lamp(const SpanLight& s, const Diffuse& diffuse, const Highl
   for (int i = 0; i < s.span.count; i += int(kPart)) {
     const F t = fma(to_float(hn::Iota(kInt, i)), set(steps.step), set(steps.start));
     const F cosine = between_0_and_1(evaluate(diffuse, t));
+    if (!First && hn::AllFalse(kFloat, cosine > zero())) continue;  // the lamp is below the horizon
     const F power = shines ? hn::IfThenElseZero(cosine > zero(), highlight(s.model, shine, t)) : zero();
     for (int k = 0; k < 3; ++k) {
       float* const d = out.diffuse[k] + s.span.output + i;
