@@ -175,6 +175,17 @@ TEST(Uniform, AveragesTexturesInLinearLight) {
   }
 }
 
+TEST(Uniform, ThinCoverageIsNoReflectanceThatIsTooHigh) {
+  Scene scene;
+  add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.8f));
+  scene.materials[0].alpha = 0.02f, scene.materials[0].alpha_mode = AlphaMode::blend;  // rho + tau = 0.996
+  Warnings warnings;
+  const PatchMesh mesh = uniform(scene, 1, &warnings);
+  EXPECT_TRUE(warnings.items().empty());
+  EXPECT_NEAR(mesh.reflectances[0].r, 0.016f, 1e-6f);
+  EXPECT_NEAR(mesh.transmittances[0].r, 0.98f, 1e-6f);
+}
+
 TEST(Uniform, WhatLetsLightThroughReflectsLess) {
   Scene scene;
   add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.8f));

@@ -109,12 +109,15 @@ TEST_P(EverySolver, StopsWhenCancelledAndKeepsWhatItHas) {
   SolverControl control{.tolerance = 1e-13, .progress = &progress, .each_step = {}};
   control.each_step = [&](const RadiosityState&) { progress.cancel(); };
   const RadiosityState state = solve(sphere, GetParam(), control);
+  const bool at_once = GetParam() == "gmres" || GetParam() == "conjugate_gradient";  // one direction is all there is
   EXPECT_EQ(state.steps, 1U);
-  EXPECT_FALSE(state.converged);
+  EXPECT_EQ(state.converged, at_once);
   EXPECT_GT(state.irradiances[1], 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Radiosity, EverySolver, testing::Values("progressive", "matrix"),
+INSTANTIATE_TEST_SUITE_P(Radiosity, EverySolver,
+                         testing::Values("progressive", "matrix", "jacobi", "overrelaxed", "southwell",
+                                         "conjugate_gradient", "gmres"),
                          [](const auto& each) { return each.param; });
 
 TEST(Progressive, KeepsItsInvariantsAtEveryStep) {

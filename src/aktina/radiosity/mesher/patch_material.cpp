@@ -76,10 +76,10 @@ PatchMaterial PatchMaterials::average(const SourceFace& face, std::span<const Po
     mean.reflectance *= share, mean.transmittance *= share, mean.emission = mean.emission * share;
   }
   for (int c = 0; c < 3; ++c) {
-    const float sum = mean.reflectance[c] + mean.transmittance[c];
-    if (mean.reflectance[c] == 0 || sum <= kMostReflectance) continue;
+    const float most = kMostReflectance * std::max(0.0f, 1 - mean.transmittance[c]);
+    if (mean.reflectance[c] <= most * (1 + 1e-5f)) continue;
     mean.clamped = true;
-    mean.reflectance[c] *= kMostReflectance / sum, mean.transmittance[c] *= kMostReflectance / sum;
+    mean.reflectance[c] = most;
   }
   return mean;
 }

@@ -7,7 +7,9 @@
 
 namespace aktina {
 
-inline constexpr float kMostReflectance = 0.99f;  // rho + tau of a patch: beyond it light would not die away
+/// Of the light that does not go straight through. Beyond it light would not die away; what goes through takes its light
+/// along and is no reason to lower a reflectance.
+inline constexpr float kMostReflectance = 0.99f;
 
 struct PatchMaterial {
   Rgb reflectance, transmittance;

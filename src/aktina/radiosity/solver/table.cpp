@@ -3,11 +3,18 @@
 
 namespace aktina {
 
-extern const RadiositySolverRow stochastic_jacobi_radiosity, progressive_radiosity, matrix_radiosity;
+extern const RadiositySolverRow stochastic_jacobi_radiosity, progressive_radiosity, matrix_radiosity, jacobi_radiosity,
+    overrelaxed_radiosity, southwell_radiosity, conjugate_gradient_radiosity, gmres_radiosity;
 
 std::span<const RadiositySolverRow* const> solvers() {
-  static constexpr const RadiositySolverRow* kTable[] = {&stochastic_jacobi_radiosity, &progressive_radiosity,
-                                                         &matrix_radiosity};
+  static constexpr const RadiositySolverRow* kTable[] = {&stochastic_jacobi_radiosity,
+                                                         &progressive_radiosity,
+                                                         &matrix_radiosity,
+                                                         &jacobi_radiosity,
+                                                         &overrelaxed_radiosity,
+                                                         &southwell_radiosity,
+                                                         &conjugate_gradient_radiosity,
+                                                         &gmres_radiosity};
   return kTable;
 }
 
