@@ -95,13 +95,12 @@ struct Corners {
       v[k] = from.towards(position[k]);
     }
     centre = (screen[0] + screen[1] + screen[2]) / 3.0f;
-    normal = steady(linear_vector(screen, n)), viewer = steady(linear_vector(screen, v));
+    normal = steady(linear_vector(screen, n), n[0]), viewer = steady(linear_vector(screen, v), v[0]);
   }
 
-  /// Directions that cancel out at the centre have no series there: one that does not is put in their place.
-  static LinearVector steady(LinearVector v) {
-    if (!(squared_length(v.c) > 1e-4)) v = {Vec3d(0), Vec3d(0), Vec3d(0, 0, 1)};
-    return v;
+  /// Directions that cancel out at the centre have no series there: that of a corner takes their place.
+  static LinearVector steady(const LinearVector& v, Vec3 corner) {
+    return squared_length(v.c) > 1e-4 ? v : LinearVector{Vec3d(0), Vec3d(0), Vec3d(corner)};
   }
 };
 
@@ -118,10 +117,10 @@ struct LampSeries {
       e[k] = Vec3(s.e_perp.v.r, s.e_perp.v.g, s.e_perp.v.b) * float(kInvPi);
     }
     arriving = linear_vector(t.screen, e);
-    const LinearVector l = Corners::steady(linear_vector(t.screen, wi));
+    const LinearVector l = Corners::steady(linear_vector(t.screen, wi), wi[0]);
     diffuse = cosine_series(t.normal, l);
     if (model.highlight == CosineModel::Highlight::normal_half) {
-      highlight = cosine_series(t.normal, Corners::steady(sum(l, t.viewer)));
+      highlight = cosine_series(t.normal, Corners::steady(sum(l, t.viewer), Vec3(t.normal.c)));
     } else {  // r.v = 2 (n.l)(n.v) - l.v
       highlight = 2 * (diffuse * cosine_series(t.normal, t.viewer)) - cosine_series(l, t.viewer);
     }
