@@ -4,6 +4,6 @@
 
 void fuzz(std::span<const uint8_t> bytes) {
   using namespace aktina;
-  fuzz::attempt([&] { read_ies(bytes, "", "fuzz"); });
+  fuzz::attempt([&] { read_ies(bytes, "/nowhere", "fuzz"); });
   fuzz::attempt([&] { read_eulumdat(bytes, "fuzz"); });
 }

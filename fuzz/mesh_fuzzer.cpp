@@ -1,9 +1,18 @@
 // Polygon files: the first byte chooses the reader, as real files begin. Nothing on disk is reached: the folder does
 // not exist.
 #include "aktina/import/import.h"
+#include "aktina/import/obj/obj.h"
 #include "fuzz.h"
 
 namespace {
+
+void read_materials(std::span<const uint8_t> bytes) {
+  using namespace aktina;
+  Scene scene;
+  Beside beside("/nonexistent", {});
+  std::map<std::string, int> index;
+  obj::read_mtl({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzz", beside, scene, index);
+}
 
 void read(std::span<const uint8_t> bytes) {
   using namespace aktina;
@@ -18,6 +27,9 @@ void read(std::span<const uint8_t> bytes) {
       return;
     case 'O':
       read_off(bytes, "fuzz", options);
+      return;
+    case 'n':  // newmtl
+      read_materials(bytes);
       return;
     default:
       read_obj(bytes, "/nonexistent", "fuzz", options);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr float kFoot = 0.3048f;  // m
 constexpr uint64_t kMostAngles = 100'000, kMostValues = 10'000'000;
-constexpr float kStep = 2.5f;  // degrees, of types A and B resampled
+constexpr uint64_t kLargestTilt = 1 << 20;  // bytes of a file of tilt factors
+constexpr float kStep = 2.5f;               // degrees, of types A and B resampled
 
 /// The numbers of type A and B: horizontal and vertical angles about a horizontal axis of the luminaire.
 struct Grid {
@@ -72,7 +73,7 @@ class IesReader {
   }
   /// A file of its own with what TILT=INCLUDE has.
   void tilt_file(const std::string& name) {
-    Beside beside(folder_, {});
+    Beside beside(folder_, {.most_bytes = kLargestTilt});
     const auto path = beside.find(name);
     if (!path) return out_.warnings.add(fmt::format("the tilt file '{}' is missing: its factors are taken as 1", name));
     const std::vector<uint8_t> bytes = beside.read(*path);
