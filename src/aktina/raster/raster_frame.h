@@ -12,7 +12,7 @@ namespace aktina {
 
 inline constexpr uint32_t kChunkTriangles = 2048;
 inline constexpr int kChunkBits = 14;  // records of a chunk: clipping makes up to seven of a triangle
-inline constexpr int kBandRows = 64;
+inline constexpr int kBandRows = 32;
 
 /// The triangle that a record came from.
 struct RecordSource {

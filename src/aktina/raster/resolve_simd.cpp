@@ -32,11 +32,12 @@ struct alignas(64) Strip {
 HWY_INLINE void interleave(const RasterBand& band, float farthest, const F (&background)[3], size_t at, float* to) {
   for (size_t i = 0; i < kLanes; i += kPart) {
     const M unseen = load(band.visible.depth.data() + at + i) == set(farthest);
-    F c[3];
-    for (int k = 0; k < 3; ++k) {
-      c[k] = load(band.colour[k].data() + at + i);
-      if (!band.filled) c[k] = select(unseen, background[k], c[k]);
-    }
+    F c[3] = {background[0], background[1], background[2]};
+    if (band.filled || !hn::AllTrue(kFloat, unseen))
+      for (int k = 0; k < 3; ++k) {
+        const F colour = load(band.colour[k].data() + at + i);
+        c[k] = band.filled ? colour : select(unseen, c[k], colour);
+      }
     hn::StoreInterleaved3(c[0], c[1], c[2], kFloat, to + 3 * i);
   }
 }
