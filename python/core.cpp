@@ -23,6 +23,7 @@ PYBIND11_MODULE(_core, m) {
   bind_shading(m);
   bind_geometry(m);
   bind_form_factors(m);
+  bind_view_factors(m);
   bind_scene(m);
   bind_jobs(m);
   bind_radiosity(m);

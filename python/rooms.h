@@ -9,6 +9,7 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& m);
 void bind_form_factors(py::module_& m);
+void bind_view_factors(py::module_& m);
 void bind_geometry(py::module_& m);
 void bind_illumination(py::module_& m);
 void bind_images(py::module_& m);

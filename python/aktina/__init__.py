@@ -17,5 +17,6 @@ from ._lights import attenuation, depth_cue, irradiance, spot_falloff
 from ._scene import Scene, Solution, load, load_solution, radiance, trace
 from ._shading import arc_angle, fast_phong_series, interpolate, interpolate_cosine, interpolate_samples, slerp
 from ._radiosity import solve_radiosity
+from ._view_factors import ViewFactors, view_factors
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -110,6 +110,26 @@ def solve_radiosity(
 ) -> NDArray[np.float64]: ...
 
 # Form factors.
+class ViewFactors:
+    areas: NDArray[np.float64]
+    names: list[str]
+    data: NDArray[np.float64]
+    indices: NDArray[np.int32]
+    indptr: NDArray[np.int64]
+    errors: NDArray[np.float32]
+    certificate: dict[str, Any]
+    @property
+    def shape(self) -> tuple[int, int]: ...
+    @property
+    def F(self) -> NDArray[np.float64]: ...
+
+def view_factors(
+    scene: Scene | str | os.PathLike[str],
+    by: str = "face",
+    target_error: float = 1e-4,
+    repair: bool = False,
+    progress: Callable[[str, str, int, int, float], None] | None = None,
+) -> ViewFactors: ...
 def form_factor(
     a: ArrayLike | dict[str, Any],
     b: ArrayLike | dict[str, Any],

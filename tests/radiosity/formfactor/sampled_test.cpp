@@ -1,5 +1,6 @@
 // The methods that sample: they converge to the exact one at their rates, depend on nothing but seed and row, and say
 // how wrong they are.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "aktina/base/parallel.h"
@@ -61,6 +62,50 @@ TEST(RayCast, APointThatNothingHidesIsExact) {
   EXPECT_EQ(method->row({0.5, 0.5, 2}, {0, 0, 1}).factors[0], 0);
 }
 
+TEST(Hemisphere, CellsOfEqualAreaCatchAllOfAClosedRoom) {
+  const FormFactorMatrix f = form_factor_matrix({box(1, 1.5, 0.8), {}}, "hemisphere:points=16");
+  for (size_t i = 0; i < 6; ++i) {
+    double sum = 0;
+    for (size_t j = 0; j < 6; ++j) sum += f.factors[i * 6 + j];
+    EXPECT_NEAR(sum, 1, 1e-3);
+  }
+}
+
+TEST(CubicTetrahedron, DeltaFormFactorsConvergeToTheClosedForm) {
+  const auto error = [](int resolution) {
+    const std::string method = fmt::format("cubic_tetrahedron:points=64,resolution={}", resolution);
+    const auto estimator = make_method(formfactors(), "formfactor", method);
+    estimator->build({{ceiling(1)}, {}});
+    return std::abs(estimator->row({0.5, 0.5, 0}, {0, 0, 1}).factors[0] - 0.239456470461);
+  };
+  EXPECT_LT(error(16), 1e-2);
+  EXPECT_LT(error(64), 1e-3) << "second order: cells a fourth as wide";
+}
+
+TEST(SinglePlane, LeavesOutWhatIsLow) {
+  // From a point in a closed room a plane sees the solid angle above its edges: 4 / pi atan-terms of a square.
+  const auto seen = [](double extent) {
+    const auto estimator =
+        make_method(formfactors(), "formfactor", fmt::format("single_plane:resolution=256,extent={}", extent));
+    estimator->build({box(1, 1, 1), {}});
+    double sum = 0;
+    for (const double f : estimator->row({0.5, 0.5, 1e-6}, {0, 0, 1}).factors) sum += f;
+    return sum;
+  };
+  for (const double w : {1.0, 4.0}) {
+    const double share = 4 / kPi * w / std::sqrt(1 + w * w) * std::atan(w / std::sqrt(1 + w * w));
+    EXPECT_NEAR(seen(w), share, 2e-3) << w;
+  }
+}
+
+TEST(Hybrid, MeetsItsTargetPastOccluders) {
+  for (const double target : {1e-3, 1e-5}) {
+    const FormFactorMatrix f = form_factor_matrix(room(), fmt::format("hybrid:target_error={}", target));
+    EXPECT_NEAR(f.factors[1], exact(), target);
+    EXPECT_LE(f.errors[1], target);
+  }
+}
+
 class EverySampledMethod : public testing::TestWithParam<std::string> {};
 
 TEST_P(EverySampledMethod, GivesTheSameForAnyNumberOfThreads) {
@@ -92,7 +137,9 @@ TEST_P(EverySampledMethod, ARowFromAPointAgreesWithTheExactOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(FormFactors, EverySampledMethod,
-                         testing::Values("ray_cast", "hemicube:resolution=128,hemicubes=16", "monte_carlo"));
+                         testing::Values("ray_cast", "hemicube:resolution=128,hemicubes=16", "monte_carlo",
+                                         "hemisphere", "single_plane:points=64,extent=12", "cubic_tetrahedron",
+                                         "hybrid"));
 
 }  // namespace
 }  // namespace aktina

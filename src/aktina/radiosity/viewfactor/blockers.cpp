@@ -190,13 +190,13 @@ uint32_t BlockerTree::build(uint32_t first, uint32_t count) {
   return at;
 }
 
-void BlockerTree::find(Point3d a, Point3d b, double reach, std::vector<uint32_t>& found) const {
+void BlockerTree::find(Point3d a, Point3d b, double reach, size_t most, std::vector<uint32_t>& found) const {
   if (nodes_.empty()) return;
   const Vec3d axis = b - a;
   const double squared = squared_length(axis);
   uint32_t stack[64], depth = 0;
   stack[depth++] = 0;
-  while (depth > 0) {
+  while (depth > 0 && found.size() <= most) {
     const uint32_t at = stack[--depth];
     const Node& node = nodes_[at];
     const Vec3d to = node.centre - a;

@@ -30,8 +30,9 @@ class BlockerTree {
   explicit BlockerTree(std::vector<Blocker> blockers);
   const Blocker& operator[](uint32_t k) const { return blockers_[k]; }
 
-  /// Adds those whose bounding spheres come nearer than `reach` to the line from a to b, in ascending order.
-  void find(Point3d a, Point3d b, double reach, std::vector<uint32_t>& found) const;
+  /// Adds those whose bounding spheres come nearer than `reach` to the line from a to b, in ascending order; stops when
+  /// there are more than `most`.
+  void find(Point3d a, Point3d b, double reach, size_t most, std::vector<uint32_t>& found) const;
 
  private:
   struct Node {

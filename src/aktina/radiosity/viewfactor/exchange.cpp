@@ -16,8 +16,7 @@ namespace aktina {
 namespace {
 
 constexpr double kSinglePrecision = 1e-5;  // targets from here on are met by floats
-constexpr size_t kMostCandidates = 64;     // blockers between two leaves beyond which each pair is left to rays,
-constexpr size_t kMostClipped = 24;        // and between two fragments
+constexpr size_t kMostClipped = 24;        // blockers between two fragments beyond which rays are faster
 constexpr double kRayError = 2.5e-3;       // of a share, that rays come down to
 constexpr double kBetweenPoints = 1e-3;    // of a share, that sixteen points may miss; measured
 constexpr int kMostHalvings = 8;
@@ -40,26 +39,25 @@ struct Counts {
 template <class T>
 class LeafPair {
  public:
-  LeafPair(const Setting& setting, uint32_t a, uint32_t b, std::vector<uint32_t> candidates, Counts& counts)
-      : setting_(setting),
-        a_(setting.leaves.leaves[a]),
-        b_(setting.leaves.leaves[b]),
-        candidates_(std::move(candidates)),
-        counts_(counts),
-        block_(std::make_unique<ExchangeBlock>()) {
-    block_->a = a, block_->b = b;
-  }
+  explicit LeafPair(const Setting& setting) : setting_(setting) {}
 
-  /// Null where nothing is exchanged.
-  std::unique_ptr<ExchangeBlock> run() {
+  /// @param view  of the two leaves, which face each other
+  void run(uint32_t a, uint32_t b, LeafView& view, Exchanges& result, Counts& counts) {
+    a_ = &setting_.leaves.leaves[a], b_ = &setting_.leaves.leaves[b];
+    counts_ = &counts;
+    candidates_.swap(view.candidates), crowded_ = view.crowded;
+    heights_of_receiver_.clear(), heights_of_source_.clear(), blocking_.clear(), contours_.clear();
     choose_sides();
     prepare_sources();
-    if (source_mask_ == 0) return nullptr;
-    crowded_ = candidates_.size() > kMostCandidates;
+    if (source_mask_ == 0) return;
     if (!crowded_) prepare_blockers();
+    const bool small = a_->count * b_->count <= kLeaf;
+    if (!small) block_ = std::make_unique<ExchangeBlock>(), block_->a = a, block_->b = b;
+    entries_ = &result.entries[a];
     bool any = false;
     for (uint32_t r = 0; r < receiver_->count; ++r) any = receive(r) || any;
-    return any ? std::move(block_) : nullptr;
+    if (any && block_) result.blocks[a].push_back(std::move(block_));
+    block_.reset();
   }
 
  private:
@@ -83,13 +81,13 @@ class LeafPair {
   /// A leaf that the other's plane cuts is the source, whose polygons can be cut for all points at once. Else the one
   /// nearer to what hides it is, for there the shadow's edge is sharp; else the larger.
   void choose_sides() {
-    const bool a_cut = is_cut(a_, b_.plane), b_cut = is_cut(b_, a_.plane);
-    bool a_receives = a_.largest <= b_.largest;
+    const bool a_cut = is_cut(*a_, b_->plane), b_cut = is_cut(*b_, a_->plane);
+    bool a_receives = a_->largest <= b_->largest;
     if (a_cut != b_cut)
       a_receives = b_cut;
     else if (!candidates_.empty())
-      if (const double from_a = clearance(a_), from_b = clearance(b_); from_a != from_b) a_receives = from_a > from_b;
-    receiver_ = a_receives ? &a_ : &b_, source_ = a_receives ? &b_ : &a_;
+      if (const double from_a = clearance(*a_), from_b = clearance(*b_); from_a != from_b) a_receives = from_a > from_b;
+    receiver_ = a_receives ? a_ : b_, source_ = a_receives ? b_ : a_;
     receiver_cut_ = a_receives ? a_cut : b_cut, source_cut_ = a_receives ? b_cut : a_cut;
     origin_ = source_->centre;
   }
@@ -103,7 +101,8 @@ class LeafPair {
   }
 
   void prepare_sources() {
-    lanes_.count = 3;
+    lanes_.count = 3, source_mask_ = 0;
+    for (Contour& part : parts_) part.clear();
     for (uint32_t s = 0; s < source_->count; ++s) {
       parts_[s] = in_front(fragment(*source_, s).face.vertices, receiver_->plane, source_cut_);
       if (parts_[s].empty()) continue;
@@ -168,11 +167,18 @@ class LeafPair {
       if (!(source_mask_ >> s & 1) || !(areas[s] > 0)) continue;
       const Estimate e = past_blockers(r, part, s, {areas[s], errors[s]});
       any = any || e.value > 0;
-      const bool forward = receiver_ == &a_;
-      (forward ? block_->area[r][s] : block_->area[s][r]) = e.value;
-      (forward ? block_->error[r][s] : block_->error[s][r]) = float(e.error);
+      keep(r, s, e);
     }
     return any;
+  }
+
+  void keep(uint32_t r, uint32_t s, Estimate e) {
+    const bool forward = receiver_ == a_;
+    const uint32_t a = forward ? r : s, b = forward ? s : r;
+    if (block_)
+      block_->area[a][b] = e.value, block_->error[a][b] = float(e.error);
+    else if (e.value > 0)
+      entries_->push_back({a_->first + a, b_->first + b, float(e.error), e.value});
   }
 
   /// How many Gauss points on each axis a pair needs; 0: it is too near for any. The error of n points falls as the
@@ -257,8 +263,8 @@ class LeafPair {
       if (sent.error < share.error) share = sent;
     }
     if (share.value > 1) {
-      ++counts_.held;
-      counts_.largest_excess = std::max(counts_.largest_excess, open.value * (share.value - 1) / smaller);
+      ++counts_->held;
+      counts_->largest_excess = std::max(counts_->largest_excess, open.value * (share.value - 1) / smaller);
       share.value = 1;
     }
     return {open.value * share.value, open.error + open.value * share.error};
@@ -331,10 +337,11 @@ class LeafPair {
   }
 
   const Setting& setting_;
-  const Leaf &a_, &b_;
+  const Leaf *a_ = nullptr, *b_ = nullptr;
   std::vector<uint32_t> candidates_;  // blockers that may stand between
-  Counts& counts_;
-  std::unique_ptr<ExchangeBlock> block_;
+  Counts* counts_ = nullptr;
+  std::unique_ptr<ExchangeBlock> block_;  // where they go, or
+  std::vector<ExchangeEntry>* entries_ = nullptr;
   const Leaf *receiver_ = nullptr, *source_ = nullptr;
   bool receiver_cut_ = false, source_cut_ = false;
   Point3d origin_{0};
@@ -362,14 +369,13 @@ void run_all(const Setting& setting, Exchanges& result, Progress* progress) {
   const size_t n = setting.leaves.leaves.size();
   std::vector<Counts> counts(n);
   parallel_for(n, 1, [&](size_t begin, size_t end) {
+    LeafPair<T> pair(setting);
+    LeafView view;
     for (size_t a = begin; a < end; ++a) {
       if (progress) progress->throw_if_cancelled();
       for (size_t b = a + 1; b < n; ++b) {
-        LeafView view =
-            look_between(setting.leaves.leaves[a], setting.leaves.leaves[b], setting.blockers, setting.tolerance);
-        if (!view.facing || view.blocked) continue;
-        if (auto block = LeafPair<T>(setting, uint32_t(a), uint32_t(b), std::move(view.candidates), counts[a]).run())
-          result.blocks[a].push_back(std::move(block));
+        look_between(setting.leaves.leaves[a], setting.leaves.leaves[b], setting.blockers, setting.tolerance, view);
+        if (view.facing && !view.blocked) pair.run(uint32_t(a), uint32_t(b), view, result, counts[a]);
       }
       if (progress) progress->advance();
     }
@@ -385,15 +391,16 @@ void run_all(const Setting& setting, Exchanges& result, Progress* progress) {
 Exchanges exchanges(const Faces& faces, double target_error, Progress* progress) {
   Exchanges result;
   result.leaves = make_leaves(faces);
-  result.blocks.resize(result.leaves.leaves.size());
+  result.blocks.resize(result.leaves.leaves.size()), result.entries.resize(result.leaves.leaves.size());
   double size = 0;
   for (const Leaf& leaf : result.leaves.leaves)
     size = std::max(size, length(leaf.centre - result.leaves.leaves[0].centre) + leaf.radius);
   const bool single = target_error >= kSinglePrecision;
   const double tolerance = 1e-9 * size + 4e-15 * length(result.leaves.leaves[0].centre);
-  const Setting setting{faces,           result.leaves, BlockerTree(find_blockers(faces, single ? 3e-6 : 1e-10)),
-                        target_error,    tolerance,     size,
-                        SightRays(faces)};
+  std::vector<Blocker> blockers = find_blockers(faces, single ? 3e-6 : 1e-10);
+  const bool shadows_overlap = blockers.size() > 1;
+  const Setting setting{faces,     result.leaves, BlockerTree(std::move(blockers)), target_error,
+                        tolerance, size,          SightRays(faces, shadows_overlap)};
   if (progress) progress->begin("view factors", "leaves", result.leaves.leaves.size());
   single ? run_all<float>(setting, result, progress) : run_all<double>(setting, result, progress);
   return result;

@@ -16,9 +16,17 @@ struct ExchangeBlock {
   float error[kLeaf][kLeaf];  // estimates, m^2
 };
 
+/// The same of one pair of fragments, where leaves are too small for blocks.
+struct ExchangeEntry {
+  uint32_t a, b;  // fragments
+  float error;
+  double area;
+};
+
 struct Exchanges {
   Leaves leaves;
   std::vector<std::vector<std::unique_ptr<ExchangeBlock>>> blocks;  // of each leaf: with those above; none where all 0
+  std::vector<std::vector<ExchangeEntry>> entries;                  // of each leaf: with those above; none that is 0
   double largest_excess = 0;  // of a factor above its unobstructed value, before it was held to that
   uint64_t held = 0;          // pairs
 };

@@ -5,6 +5,8 @@
 namespace aktina {
 namespace {
 
+constexpr size_t kMostNear = 64;  // beyond, rays are faster
+
 /// Whether a leaf has something in front of a plane.
 bool reaches(const Leaf& leaf, const Plane& plane, double tolerance) {
   return std::any_of(leaf.hull.begin(), leaf.hull.end(), [&](Point3d p) { return plane.height(p) > tolerance; });
@@ -70,24 +72,23 @@ FragmentHeights::FragmentHeights(const Leaves& leaves, const Leaf& leaf, const B
   }
 }
 
-LeafView look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance) {
-  LeafView view;
+void look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance, LeafView& view) {
+  view.blocked = view.crowded = false;
+  view.candidates.clear();
   view.facing = reaches(a, b.plane, tolerance) && reaches(b, a.plane, tolerance);
-  if (!view.facing) return view;
+  if (!view.facing) return;
   thread_local std::vector<uint32_t> near;
   near.clear();
-  blockers.find(a.centre, b.centre, std::max(a.radius, b.radius), near);
+  blockers.find(a.centre, b.centre, std::max(a.radius, b.radius), kMostNear, near);
+  view.crowded = near.size() > kMostNear;
+  if (view.crowded) return;
   for (const uint32_t k : near) {
     const Blocker& blocker = blockers[k];
     if (apart(a, b, blocker, tolerance)) continue;
-    if (stops_all(blocker, a, b, tolerance)) {
-      view.blocked = true;
-      return view;
-    }
-    if (parted(blocker, a, b, tolerance) || parted(blocker, b, a, tolerance)) continue;
-    view.candidates.push_back(k);
+    view.blocked = stops_all(blocker, a, b, tolerance);
+    if (view.blocked) return;
+    if (!parted(blocker, a, b, tolerance) && !parted(blocker, b, a, tolerance)) view.candidates.push_back(k);
   }
-  return view;
 }
 
 }  // namespace aktina

@@ -52,8 +52,9 @@ bool blocks_all(size_t corners_a, size_t corners_b, const Blocker& blocker, doub
 /// Which blockers may stand between two leaves.
 struct LeafView {
   bool facing = false, blocked = false;
+  bool crowded = false;  // so many are near that they have not been looked at
   std::vector<uint32_t> candidates;
 };
-LeafView look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance);
+void look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance, LeafView& view);
 
 }  // namespace aktina

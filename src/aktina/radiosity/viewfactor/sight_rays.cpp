@@ -1,42 +1,81 @@
 #include "aktina/radiosity/viewfactor/sight_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "aktina/base/random.h"
 
 namespace aktina {
 namespace {
 
-constexpr uint32_t kFewest = 64, kMost = 4096;
+constexpr uint32_t kMost = 4096;  // rays a pair
+
+/// Stratified numbers, the same for all pairs; each pair shifts them by numbers of its own.
+class Shifted {
+ public:
+  Shifted(uint32_t stream, uint32_t seed)
+      : table_(tables()[stream]),
+        shift_(unit_float(hash_combine(seed, 2 * stream)), unit_float(hash_combine(seed, 2 * stream + 1))) {}
+  Vec2 operator[](uint32_t k) const {
+    const Vec2 u = table_[k] + shift_;
+    return {u.x >= 1 ? u.x - 1 : u.x, u.y >= 1 ? u.y - 1 : u.y};
+  }
+
+ private:
+  using Tables = std::array<std::vector<Vec2>, 2>;
+  static const Tables& tables() {
+    static const Tables made = [] {
+      Tables tables;
+      for (uint32_t stream = 0; stream < 2; ++stream)
+        for (uint32_t k = 0; k < kMost; ++k) tables[stream].push_back(sobol_owen(k, 0x51ed27 + stream));
+      return tables;
+    }();
+    return made;
+  }
+  const std::vector<Vec2>& table_;
+  Vec2 shift_;
+};
 
 /// Uniform by area on a convex polygon.
-Point3d point_in(std::span<const Point3d> polygon, Vec2 u) {
-  double areas[8] = {}, all = 0;
-  for (size_t k = 1; k + 1 < polygon.size(); ++k)
-    all += areas[k] = length(cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]));
-  double rest = double(u.x) * all;
-  size_t k = 1;
-  while (k + 2 < polygon.size() && rest >= areas[k]) rest -= areas[k++];
-  const double along = areas[k] > 0 ? std::sqrt(std::min(rest / areas[k], 1.0)) : 0;
-  return polygon[0] + along * (polygon[k] - polygon[0] + double(u.y) * (polygon[k + 1] - polygon[k]));
-}
+class Points {
+ public:
+  explicit Points(std::span<const Point3d> polygon) : polygon_(polygon) {
+    for (size_t k = 1; k + 1 < polygon.size(); ++k)
+      all_ += areas_[k] = length(cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]));
+  }
+  Point3d at(Vec2 u) const {
+    double rest = double(u.x) * all_;
+    size_t k = 1;
+    while (k + 2 < polygon_.size() && rest >= areas_[k]) rest -= areas_[k++];
+    const double along = areas_[k] > 0 ? std::sqrt(std::min(rest / areas_[k], 1.0)) : 0;
+    return polygon_[0] + along * (polygon_[k] - polygon_[0] + double(u.y) * (polygon_[k + 1] - polygon_[k]));
+  }
+
+ private:
+  std::span<const Point3d> polygon_;
+  std::array<double, 8> areas_{};
+  double all_ = 0;
+};
 
 }  // namespace
 
 Estimate SightRays::visible_share(std::span<const Point3d> receiver, Vec3d n, std::span<const Point3d> source, Vec3d m,
                                   double wanted, uint32_t seed) const {
-  std::call_once(built_, [&] { rays_.build(faces_); });
+  if (!built_) return {0, 1};
+  const Points receivers(receiver), sources(source);
+  const Shifted here(0, seed), there(1, seed);
   double passed[2] = {}, sum[2] = {};  // of every other packet
   Estimate share{0, 1};
   uint32_t sent = 0;
-  for (uint32_t limit = kFewest; limit <= kMost && share.error > wanted; limit *= 4) {
+  // Where any share is good enough, one packet keeps the sum over many pairs right.
+  for (uint32_t limit = wanted >= 0.5 ? kPacket : 4 * kPacket; limit <= kMost && share.error > wanted; limit *= 4) {
     for (; sent < limit; sent += kPacket) {
       RayPacket packet;
       double weights[kPacket];
       for (int lane = 0; lane < kPacket; ++lane) {
-        const Point3d x = point_in(receiver, sobol_owen(sent + uint32_t(lane), hash_combine(seed, 1)));
-        const Point3d y = point_in(source, sobol_owen(sent + uint32_t(lane), hash_combine(seed, 2)));
+        const Point3d x = receivers.at(here[sent + uint32_t(lane)]), y = sources.at(there[sent + uint32_t(lane)]);
         const Vec3d d = y - x;
         const double squared = squared_length(d);
         weights[lane] = std::max(0.0, dot(n, d)) * std::max(0.0, -dot(m, d)) / std::max(squared * squared, 1e-300);
@@ -50,11 +89,12 @@ Estimate SightRays::visible_share(std::span<const Point3d> receiver, Vec3d n, st
         if (!(blocked >> lane & 1)) passed[half] += weights[lane];
       }
     }
-    if (!(sum[0] > 0 && sum[1] > 0)) return {1, 1};
+    if (!(sum[0] + sum[1] > 0)) return {1, 1};
     const double value = (passed[0] + passed[1]) / (sum[0] + sum[1]);
     const double spread = std::max(value * (1 - value), 1.0 / sent);
     // The samples are stratified: the two halves agree better than independent ones would. Neither bounds the error.
-    share = {value, std::max(std::abs(passed[0] / sum[0] - passed[1] / sum[1]), 0.3 * std::sqrt(spread / sent))};
+    const double apart = sum[0] > 0 && sum[1] > 0 ? std::abs(passed[0] / sum[0] - passed[1] / sum[1]) : 0;
+    share = {value, std::max(apart, 0.3 * std::sqrt(spread / sent))};
   }
   return share;
 }

@@ -1,8 +1,6 @@
 // What shadows that overlap leave of a pair: by rays, until the error is small enough.
 #pragma once
 
-#include <mutex>
-
 #include "aktina/radiosity/formfactor/face_rays.h"
 #include "aktina/radiosity/formfactor/occluded.h"
 
@@ -10,7 +8,10 @@ namespace aktina {
 
 class SightRays {
  public:
-  explicit SightRays(const Faces& faces) : faces_(faces) {}
+  /// @param wanted  whether there will be any; nothing is built otherwise, and all shares are unknown
+  SightRays(const Faces& faces, bool wanted) : built_(wanted) {
+    if (wanted) rays_.build(faces);
+  }
 
   /// The visible share of the unobstructed exchange between convex parts of two surfaces, and its error.
   /// @param wanted  error of the share at which to stop
@@ -18,9 +19,8 @@ class SightRays {
                          Vec3d source_normal, double wanted, uint32_t seed) const;
 
  private:
-  const Faces& faces_;
-  mutable std::once_flag built_;  // only scenes that need rays pay for the tree
-  mutable FaceRays rays_;
+  bool built_;
+  FaceRays rays_;
 };
 
 }  // namespace aktina

@@ -45,6 +45,7 @@ class Assembler {
         members_[owners_[leaves_.leaves[leaf].first + k]].push_back({leaf, k});
     for (const auto& blocks : exchanges.blocks)
       for (const auto& block : blocks) below_[block->b].push_back(block.get());
+    sort_entries();
   }
 
   ViewFactors run() {
@@ -69,6 +70,10 @@ class Assembler {
   }
 
  private:
+  struct Single {
+    const ExchangeEntry* entry;
+    uint32_t other;
+  };
   struct Member {
     uint32_t leaf, lane;
   };
@@ -87,6 +92,18 @@ class Assembler {
     }
   };
 
+  /// Both directions of single pairs, by fragment.
+  void sort_entries() {
+    starts_.assign(leaves_.fragments.size() + 1, 0);
+    for (const auto& list : exchanges_.entries)
+      for (const ExchangeEntry& e : list) ++starts_[e.a + 1], ++starts_[e.b + 1];
+    for (size_t k = 1; k < starts_.size(); ++k) starts_[k] += starts_[k - 1];
+    single_.resize(starts_.back());
+    std::vector<uint64_t> next(starts_.begin(), starts_.end() - 1);
+    for (const auto& list : exchanges_.entries)
+      for (const ExchangeEntry& e : list) single_[next[e.a]++] = {&e, e.b}, single_[next[e.b]++] = {&e, e.a};
+  }
+
   Row row(size_t i, Sums& sums) const {
     sums.touched.clear();
     for (const Member& m : members_[i]) {
@@ -96,6 +113,9 @@ class Assembler {
       for (const ExchangeBlock* block : below_[m.leaf])
         for (uint32_t k = 0; k < leaves_.leaves[block->a].count; ++k)
           sums.add(owner(block->a, k), block->area[k][m.lane], double(block->error[k][m.lane]));
+      const uint32_t fragment = leaves_.leaves[m.leaf].first + m.lane;
+      for (uint64_t k = starts_[fragment]; k < starts_[fragment + 1]; ++k)
+        sums.add(owners_[single_[k].other], single_[k].entry->area, double(single_[k].entry->error));
     }
     std::sort(sums.touched.begin(), sums.touched.end());
     Row row{sums.touched, {}, {}};
@@ -114,6 +134,8 @@ class Assembler {
   std::vector<uint32_t> owners_;                          // surface of each fragment
   std::vector<std::vector<const ExchangeBlock*>> below_;  // blocks of each leaf with those below it
   const Exchanges& exchanges_;
+  std::vector<uint64_t> starts_;  // of each fragment in
+  std::vector<Single> single_;
   ViewFactors result_;
 };
 

@@ -1,0 +1,69 @@
+"""View-factor matrices of whole models."""
+import json
+import os
+
+import numpy as np
+
+from . import _core
+from ._arrays import number
+from ._scene import Scene
+
+
+class ViewFactors:
+    """What `view_factors` returns: an N x N matrix in compressed rows, with areas, names and its certificate.
+
+    areas : (N,) float64, m^2.   names : list of N texts, the model's own.
+    data, indices, indptr : float64, int32, int64: scipy.sparse.csr_array((f.data, f.indices, f.indptr), shape=f.shape).
+    errors : float32 in the order of `data`: an estimate of each factor's absolute error.
+    certificate : dict: closure, reciprocity, bounds, errors, the worst rows (docs/view-factors.md).
+    """
+
+    def __init__(self, arrays):
+        self.names = arrays.names
+        self.certificate = json.loads(arrays.certificate)
+        self.areas, self.data, self.errors = (np.asarray(a) for a in (arrays.areas, arrays.data, arrays.errors))
+        self.indices = np.asarray(arrays.indices).view(np.int32)
+        self.indptr = np.asarray(arrays.indptr).view(np.int64)
+
+    @property
+    def shape(self):
+        return len(self.areas), len(self.areas)
+
+    @property
+    def F(self):
+        """(N, N) float64, made at each call: F[i, j] is the fraction of what leaves i that arrives at j."""
+        dense = np.zeros(self.shape)
+        dense[np.repeat(np.arange(len(self.areas)), np.diff(self.indptr)), self.indices] = self.data
+        return dense
+
+    def __repr__(self):
+        return f"<aktina.ViewFactors: {len(self.areas)} surfaces, {len(self.data)} factors above 0>"
+
+
+def view_factors(scene, by="face", target_error=1e-4, repair=False, progress=None):
+    """View factors between the fronts of all surfaces of a model, which hide each other, with a certificate.
+
+    scene : an aktina.Scene, or the path of a file that `aktina.load` reads, or of a View3D input file (.vs3).
+    by : "face": each polygon of the file is a surface; "object": each object; "material": all of one material.
+    target_error : wanted absolute error of each factor, 1e-8 .. 0.1.
+    repair : make the rows of a closed enclosure sum to 1, keeping reciprocity. Otherwise nothing is normalised.
+    progress : called as progress(stage, unit, done, total, seconds) now and then.
+    Returns ViewFactors.
+    Raises BadInput (no surface with an area; repair of an open scene), BadParam, UsageError, LimitExceeded (memory,
+        foreseen), FileError.
+
+    >>> import aktina
+    >>> floor = {"vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+    >>> ceiling = {"vertices": [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+    >>> f = aktina.view_factors(aktina.Scene([floor, ceiling]))
+    >>> f.F.round(6).tolist()
+    [[0.0, 0.199825], [0.199825, 0.0]]
+    >>> f.certificate["closed"]
+    False
+    """
+    if isinstance(scene, Scene):
+        surfaces = _core.surfaces_of_scene(scene._scene, by)
+    else:
+        surfaces = _core.surfaces_of_file(os.fspath(scene), by)
+    return ViewFactors(_core.view_factors(surfaces, number("target_error", target_error, 1e-8, 0.1), bool(repair),
+                                          progress))

@@ -1,0 +1,66 @@
+// View-factor matrices of scenes.
+#include <memory>
+
+#include "aktina/base/error.h"
+#include "aktina/render/view_factor_job.h"
+#include "arrays.h"
+#include "rooms.h"
+#include "work.h"
+
+namespace aktina::python {
+namespace {
+
+SurfacesBy surfaces_by(const std::string& word) {
+  if (word == "face") return SurfacesBy::face;
+  if (word == "object") return SurfacesBy::object;
+  if (word == "material") return SurfacesBy::material;
+  throw Error(Code::usage, "by", "got '" + word + "'", "face, object or material");
+}
+
+/// The matrix; its arrays are read in place.
+struct ViewFactorArrays {
+  std::shared_ptr<const ViewFactors> factors;
+  std::string certificate;
+
+  template <class T>
+  Array of(const std::vector<T>& values) const {
+    return array_view<T>(factors, values.data(), {py::ssize_t(values.size())});
+  }
+};
+
+ViewFactorArrays compute(const ViewFactorScene& surfaces, double target_error, bool repair, const py::object& report) {
+  return run(report, [&](Progress& progress) {
+    ViewFactorJob job;
+    job.options.target_error = target_error, job.repair = repair;
+    ViewFactorResult result = view_factors(surfaces, job, progress);
+    std::string certificate = certificate_json(result);
+    return ViewFactorArrays{std::make_shared<const ViewFactors>(std::move(result.factors)), std::move(certificate)};
+  });
+}
+
+}  // namespace
+
+void bind_view_factors(py::module_& m) {
+  py::class_<ViewFactorScene>(m, "ViewFactorScene");
+  using A = ViewFactorArrays;
+  py::class_<A>(m, "ViewFactorArrays")
+      .def_property_readonly("names",
+                             [](const A& a) {
+                               py::list names;
+                               for (const std::string& name : a.factors->names) names.append(py::str(name));
+                               return names;
+                             })
+      .def_readonly("certificate", &A::certificate)
+      .def_property_readonly("areas", [](const A& a) { return a.of(a.factors->areas); })
+      .def_property_readonly("indptr", [](const A& a) { return a.of(a.factors->starts); })
+      .def_property_readonly("indices", [](const A& a) { return a.of(a.factors->columns); })
+      .def_property_readonly("data", [](const A& a) { return a.of(a.factors->factors); })
+      .def_property_readonly("errors", [](const A& a) { return a.of(a.factors->errors); });
+  m.def("surfaces_of_scene",
+        [](const Scene& scene, const std::string& by) { return surfaces_of(scene, surfaces_by(by)); });
+  m.def("surfaces_of_file",
+        [](const std::string& path, const std::string& by) { return load_view_factor_scene(path, surfaces_by(by)); });
+  m.def("view_factors", &compute);
+}
+
+}  // namespace aktina::python

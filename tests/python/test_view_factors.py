@@ -1,0 +1,49 @@
+"""View-factor matrices from Python."""
+import unittest
+
+import numpy as np
+
+import aktina
+
+VERTICES = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+ROOM = {"vertices": VERTICES,
+        "triangles": [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [1, 5, 7], [1, 7, 3],
+                      [3, 7, 6], [3, 6, 2], [2, 6, 4], [2, 4, 0]]}
+
+
+class ViewFactors(unittest.TestCase):
+    def test_a_cube_closes(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]))
+        self.assertEqual(f.shape, (6, 6), "pairs of triangles are squares")
+        np.testing.assert_allclose(f.F.sum(axis=1), 1, atol=1e-9)
+        self.assertAlmostEqual(f.F[0, 1], 0.199824895698, delta=1e-9)
+        np.testing.assert_allclose(f.areas, 1)
+        self.assertIs(f.certificate["closed"], True)
+        self.assertEqual(len(f.names), 6)
+
+    def test_rows_are_compressed_as_scipy_has_them(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]))
+        dense = np.zeros(f.shape)
+        for i in range(6):
+            for k in range(f.indptr[i], f.indptr[i + 1]):
+                dense[i, f.indices[k]] = f.data[k]
+        np.testing.assert_array_equal(dense, f.F)
+        self.assertEqual((f.indices.dtype, f.indptr.dtype), (np.int32, np.int64))
+
+    def test_by_object(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]), by="object")
+        np.testing.assert_allclose(f.F, [[1]], atol=1e-9)
+
+    def test_faults(self):
+        with self.assertRaises(aktina.UsageError):
+            aktina.view_factors(aktina.Scene([ROOM]), by="vertex")
+        with self.assertRaises(aktina.BadParam):
+            aktina.view_factors(aktina.Scene([ROOM]), target_error=1)
+        with self.assertRaises(aktina.BadInput):
+            aktina.view_factors(aktina.Scene())
+        with self.assertRaises(aktina.FileError):
+            aktina.view_factors("nowhere.obj")
+
+
+if __name__ == "__main__":
+    unittest.main()
