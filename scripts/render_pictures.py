@@ -191,7 +191,8 @@ def box_room():
 def formfactor(methods):
     scene = box_room()
     quick = {"contour": "contour:tolerance=0.001", "analytic": "analytic:points=2",
-             "hemicube": "hemicube:resolution=64,hemicubes=1", "monte_carlo": "monte_carlo:samples=4096"}
+             "hemicube": "hemicube:resolution=64,hemicubes=1", "monte_carlo": "monte_carlo:samples=4096", "hemisphere": "hemisphere:points=4",
+             "single_plane": "single_plane:points=1", "cubic_tetrahedron": "cubic_tetrahedron:points=4"}
     for method in methods:
         solution = scene.radiosity(solver="progressive", formfactor=quick.get(method, method), patch_size=0.7, tolerance=0.02,
                                    indirect_size=0)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <fstream>
 
 #include "aktina/base/error.h"
@@ -12,23 +13,36 @@
 namespace aktina {
 namespace {
 
-/// PKZIP's CRC-32.
+/// PKZIP's CRC-32, eight bytes at a time.
+/// M. Kounavis, F. Berry, "A Systematic Approach to Building High Performance Software-Based CRC Generators", ISCC
+/// 2005.
 class Crc32 {
  public:
   void add(std::string_view bytes) {
-    for (const char c : bytes) value_ = kTable[(value_ ^ uint8_t(c)) & 0xff] ^ (value_ >> 8);
+    size_t i = 0;
+    for (; i + 8 <= bytes.size(); i += 8) {
+      uint64_t word = 0;
+      std::memcpy(&word, bytes.data() + i, 8);
+      word ^= value_;
+      value_ = 0;
+      for (size_t k = 0; k < 8; ++k) value_ ^= kTables[7 - k][word >> 8 * k & 0xff];
+    }
+    for (; i < bytes.size(); ++i) value_ = kTables[0][(value_ ^ uint8_t(bytes[i])) & 0xff] ^ (value_ >> 8);
   }
   uint32_t value() const { return ~value_; }
 
  private:
-  static constexpr std::array<uint32_t, 256> kTable = [] {
-    std::array<uint32_t, 256> table{};
+  using Tables = std::array<std::array<uint32_t, 256>, 8>;
+  static constexpr Tables kTables = [] {
+    Tables tables{};
     for (uint32_t i = 0; i < 256; ++i) {
       uint32_t c = i;
       for (int bit = 0; bit < 8; ++bit) c = c & 1 ? 0xedb88320U ^ (c >> 1) : c >> 1;
-      table[i] = c;
+      tables[0][i] = c;
     }
-    return table;
+    for (size_t k = 1; k < 8; ++k)
+      for (size_t i = 0; i < 256; ++i) tables[k][i] = tables[0][tables[k - 1][i] & 0xff] ^ (tables[k - 1][i] >> 8);
+    return tables;
   }();
   uint32_t value_ = 0xffffffffU;
 };

@@ -36,6 +36,12 @@ struct Counts {
   uint64_t held = 0;
 };
 
+double power(double x, int n) {
+  double result = 1;
+  for (; n > 0; --n) result *= x;
+  return result;
+}
+
 template <class T>
 class LeafPair {
  public:
@@ -190,7 +196,7 @@ class LeafPair {
     const double f = std::min(receiver.area, source.area) / (kPi * distance * distance) * 0.02;
     const double allowed = 0.02 * setting_.target * std::min(1.0, source.area / receiver.area);
     if (f * square * square <= allowed && distance > 3 * sizes) return 2;
-    return f * square * square * square * square <= allowed ? 4 : f * std::pow(square, 6) <= allowed ? 6 : 0;
+    return f * square * square * square * square <= allowed ? 4 : f * power(square, 6) <= allowed ? 6 : 0;
   }
 
   void unobstructed(const Face& receiver, const Contour& part, double (&areas)[kLeaf], double (&errors)[kLeaf]) {
@@ -212,7 +218,7 @@ class LeafPair {
         errors[s] = 1e-13 * std::min(receiver.area, source.area);
       } else {
         const double ratio = receiver.radius / length(receiver.centre - source.centre);
-        errors[s] = areas[s] * (0.02 * std::pow(ratio, 2 * n) + (sizeof(T) == 4 ? 3e-6 : 1e-12));
+        errors[s] = areas[s] * (0.02 * power(ratio * ratio, n) + (sizeof(T) == 4 ? 3e-6 : 1e-12));
       }
     }
   }

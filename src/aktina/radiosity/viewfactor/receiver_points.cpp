@@ -39,9 +39,21 @@ void add_gauss_points(std::span<const Point3d> polygon, int n, std::vector<Surfa
 
 std::array<SurfaceSample, 16> gauss_points(const Cell& cell) {
   std::array<SurfaceSample, 16> points;
-  size_t k = 0;
-  for (const GaussPoint& u : gauss_legendre(4))
-    for (const GaussPoint& v : gauss_legendre(4)) points[k++] = on_cell(cell, u.x, v.x, u.weight * v.weight);
+  const std::span<const GaussPoint> rule = gauss_legendre(4);
+  const Point3d* q = cell.corners.data();
+  const Vec3d u = cell.size * (q[1] - q[0]), v = cell.size * (q[3] - q[0]);
+  const Vec3d skew = q[0] - q[1] + q[2] - q[3];
+  if (cell.quad && squared_length(skew) <= 1e-24 * squared_length(q[2] - q[0])) {  // a parallelogram: most are
+    const Point3d o = q[0] + cell.u * (q[1] - q[0]) + cell.v * (q[3] - q[0]);
+    const double area = length(cross(u, v));
+    for (size_t i = 0; i < 4; ++i)
+      for (size_t k = 0; k < 4; ++k)
+        points[4 * i + k] = {o + rule[i].x * u + rule[k].x * v, rule[i].weight * rule[k].weight * area};
+    return points;
+  }
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t k = 0; k < 4; ++k)
+      points[4 * i + k] = on_cell(cell, rule[i].x, rule[k].x, rule[i].weight * rule[k].weight);
   return points;
 }
 
