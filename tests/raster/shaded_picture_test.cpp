@@ -7,6 +7,7 @@
 #include "aktina/base/parallel.h"
 #include "aktina/illumination/illuminate.h"
 #include "aktina/raster/rasterize.h"
+#include "aktina/raster/shading/shading_method.h"
 #include "aktina/scene/scene_lights.h"
 #include "raster/scenes.h"
 
@@ -239,6 +240,26 @@ TEST(ShadedPicture, EveryModelReadsTextures) {
             brdf_cosine(row->make(ParamSet(row->info)), s, {0, 0, 1}, towards, {0, 0, 1}).total() * Rgb(3);
         for (int k = 0; k < 3; ++k) ASSERT_NEAR(p.rgb(x, y)[k], exact[k], 1e-4f) << row->info.id;
       }
+  }
+}
+
+TEST(ShadedPicture, EveryMethodShowsMetalWhereATextureSaysSo) {
+  // On a plane, lit and seen from far away, all methods are the model at each pixel; the material itself is a metal.
+  Scene scene = textured_square(Filter::nearest);
+  TextureImage image;
+  image.pixels = Bitmap{2, 1, 3, true, {0, 255, 255, 0, 255, 40}};  // metal; hardly any
+  scene.images.push_back(image);
+  Material& material = scene.materials[0];
+  material.unlit = false, material.roughness = 0.6f;
+  material.metallic_roughness_texture.image = 1, material.metallic_roughness_texture.filter = Filter::nearest;
+  scene.ambient = Rgb(0.2f);
+  scene.lights.push_back({"sun", DirectionalLight{normalize(Vec3(-0.2f, 0.1f, -1)), Irradiance(Rgb(3))}, -1});
+  const Image exact = picture(scene, 44, 44, {.shading = "phong"});
+  for (const ShadingRow* row : shading_methods()) {
+    const std::string method(row->info.id);
+    const Image drawn = picture(scene, 44, 44, {.shading = method});
+    const float within = method == "angular_power" ? 0.1f : method == "vlasic" ? 0.01f : 1e-3f;  // their own powers
+    EXPECT_LT(largest_difference(drawn, exact), within) << method;
   }
 }
 

@@ -11,15 +11,23 @@ bool has_textures(const Material& m) {
          m.transmission_texture || m.specular_texture || m.specular_tint_texture;
 }
 
+/// What textured surfaces are lit as where their coefficients are not known yet: white, without ambient light.
+Surface blank(Surface s) {
+  s.ka = Rgb(0), s.kd = Rgb(1), s.ks = Rgb(1);
+  s.base = Rgb(1), s.metallic = 0, s.transmission = 0;
+  return s;
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const PipelineSettings& settings, const Material& m, bool has_colours, const Viewer& viewer)
     : material(&m),
       method(m.unlit ? settings.unlit.get() : settings.method.get()),
-      light(settings.model, without_rays(surface_of(m)), settings.lights.lights, settings.lights.ambient, viewer),
-      plan(method->plan(light)),
       textured(has_textures(m) || m.alpha_mode != AlphaMode::opaque || (has_colours && !m.unlit) ||
                settings.surface_layers),
+      light(settings.model, textured ? blank(surface_of(m)) : without_rays(surface_of(m)), settings.lights.lights,
+            settings.lights.ambient, viewer),
+      plan(method->plan(light)),
       coloured(has_colours),
       lit(!m.unlit),
       cull(settings.cull && !m.double_sided),

@@ -30,10 +30,10 @@ struct Pipeline {
 
   const Material* material;
   const ShadingMethod* method;
-  Illuminator light;
+  bool textured;      // coefficients differ from point to point
+  Illuminator light;  // of a textured surface: as if white, without ambient light; textures come after
   ShadingPlan plan;
   PlaneLayout layout;
-  bool textured;   // coefficients differ from point to point
   bool coloured;   // the mesh has vertex colours
   bool lit;        // else the colour is the emission that evaluate() gives
   bool immediate;  // colour is written as triangles come; else visible pixels are shaded afterwards

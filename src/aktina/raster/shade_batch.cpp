@@ -26,6 +26,31 @@ void fetch_colour(const Pipeline& pipeline, ShadeBatch& b) {
     }
 }
 
+/// Reflectance of a physically based surface at normal incidence.
+Rgb normal_reflectance(const Surface& s) { return dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic; }
+
+/// What was lit as if white, with the coefficients that textures have given. The highlight is as wide as the material's
+/// own exponent makes it: it gets the energy, not the height, of the one that its textures ask for.
+void colour_blank(const Pipeline& pipeline, ShadeBatch& b) {
+  const bool physical = std::holds_alternative<Ggx>(pipeline.light.model());
+  const Surface& blank = pipeline.light.surface();
+  const Rgb ambient = pipeline.light.ambient(), coat = normal_reflectance(blank);
+  for (size_t i = 0; i < b.blocks * kLanes; ++i) {
+    Rgb kd(b.kd[0][i], b.kd[1][i], b.kd[2][i]), ks(b.ks[0][i], b.ks[1][i], b.ks[2][i]);
+    ks *= (2 * std::max(blank.exponent, 0.0f) + 1) / (2 * std::max(b.exponent[i], 0.0f) + 1);
+    if (physical && b.seen[i] != kNobody) {
+      const Surface& s = b.whole[i];
+      const Rgb f0 = normal_reflectance(s);
+      kd = s.base * ((1 - s.metallic) * (1 - s.transmission));
+      for (int k = 0; k < 3; ++k) ks[k] = coat[k] > 0 ? f0[k] / coat[k] : 0;
+    }
+    for (int k = 0; k < 3; ++k) {
+      b.diffuse[k][i] = b.ka[k][i] * ambient[k] + kd[k] * b.diffuse[k][i];
+      b.specular[k][i] *= ks[k];
+    }
+  }
+}
+
 void light(const Pipeline& pipeline, RasterBand& band) {
   ShadeBatch& b = band.batch;
   const size_t count = b.blocks * kLanes;
@@ -49,11 +74,7 @@ void light(const Pipeline& pipeline, RasterBand& band) {
     fetch_colour(pipeline, b);
   }
   if (!pipeline.lit) return;
-  for (int k = 0; k < 3; ++k) {  // the base texture multiplies what was lit without it
-    const float kd = pipeline.light.surface().kd[k];
-    if (kd > 0)
-      for (size_t i = 0; i < count; ++i) b.diffuse[k][i] *= b.kd[k][i] / kd;
-  }
+  colour_blank(pipeline, b);
 }
 
 void emit_plain(const RasterFrame& frame, const Pipeline& pipeline, ShadeBatch& b) {

@@ -46,11 +46,7 @@ class HTestShading final : public ShadingMethod {
       add_highlights(f, begin, std::min(end, f.count), passed, light, out);
       begin = end;
     }
-    for (int k = 0; k < 3; ++k) {
-      const float kd = light.surface().kd[k];
-      for (size_t i = 0; i < f.count; ++i)
-        out.diffuse[k][i] = f.channel[3 + k][i] * (f.surface && kd > 0 ? f.surface->kd[k][i] / kd : 1);
-    }
+    f.diffuse_of(f.channel + 3, light, out);
   }
 
  private:

@@ -28,13 +28,7 @@ class HybridShading final : public ShadingMethod {
 
   void shade(const Fragments& f, const Illuminator& light, const LitArrays& out) const override {
     light.evaluate(f.points(f.channel), out);
-    for (int k = 0; k < 3; ++k) {
-      const float kd = light.surface().kd[k];
-      for (size_t i = 0; i < f.count; ++i) {
-        const float texture = f.surface && kd > 0 ? f.surface->kd[k][i] / kd : 1;
-        out.diffuse[k][i] = f.channel[3 + k][i] * texture;
-      }
-    }
+    f.diffuse_of(f.channel + 3, light, out);
   }
 };
 

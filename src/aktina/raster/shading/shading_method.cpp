@@ -43,6 +43,13 @@ void Samples::store(int point, const Lanes (&diffuse)[3], const Lanes (&specular
   }
 }
 
+void Fragments::diffuse_of(const float* const* radiance, const Illuminator& light, const LitArrays& out) const {
+  for (int k = 0; k < 3; ++k)
+    for (size_t i = 0; i < count; ++i)
+      out.diffuse[k][i] =
+          surface ? surface->ka[k][i] * light.ambient()[k] + surface->kd[k][i] * radiance[k][i] : radiance[k][i];
+}
+
 void ShadingMethod::prepare(const TriangleGroup&, const Illuminator&, const Samples&) const { assert(false); }
 void ShadingMethod::shade(const Fragments&, const Illuminator&, const LitArrays&) const { assert(false); }
 void ShadingMethod::shade_spans(const TriangleGroup&, int, std::span<const Span>, const Illuminator&,

@@ -52,7 +52,8 @@ struct TriangleGroup {
   Lanes screen[3][2];    // px
   Lanes weight[3];       // 1 / w of the perspective division; 1 in a parallel projection
   int channels;          // of radiance: 3, all light together; or 6, diffuse and specular apart (textured materials)
-  Lanes radiance[3][6];  // at the vertices, cd/m^2: the illumination model with the vertex normals
+  Lanes radiance[3][6];  // at the vertices, cd/m^2: the illumination model with the vertex normals. Of a textured
+                         // material: as if it were white, without ambient light
 
   /// Point of the lattice of a plan: the same place for the two triangles of an edge.
   void interpolate(const Lanes (&vertices)[3][3], const std::array<float, 3>& barycentric, bool perspective,
@@ -82,6 +83,8 @@ struct Fragments {
   PointArrays points(const float* const normal[3]) const {
     return {count, {position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}, surface};
   }
+  /// Diffuse light from what was interpolated of TriangleGroup::radiance, with its textures.
+  void diffuse_of(const float* const* radiance, const Illuminator& light, const LitArrays& out) const;
 };
 
 /// One scanline of one triangle, or as much of it as is seen.
