@@ -118,6 +118,7 @@ class ViewFactors:
     indptr: NDArray[np.int64]
     errors: NDArray[np.float32]
     certificate: dict[str, Any]
+    def __init__(self, arrays: Any) -> None: ...
     @property
     def shape(self) -> tuple[int, int]: ...
     @property

@@ -1,8 +1,11 @@
 #include "aktina/radiosity/viewfactor/exchange.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
 #include "aktina/radiosity/formfactor/polygon_to_polygon.h"
@@ -392,9 +395,47 @@ void run_all(const Setting& setting, Exchanges& result, Progress* progress) {
   }
 }
 
+constexpr uint64_t kSampled = 20000;  // pairs of leaves
+// A block's share of a pair, and both directions in compressed rows, once by themselves and once in the matrix.
+constexpr double kBytesPerPair = 12 + 4 * 16;
+
+/// Pairs of fragments that see something of each other: all leaves where they are few, else a sample of them.
+double visible_pairs(const Setting& setting) {
+  const uint64_t n = setting.leaves.leaves.size(), all = n * (n - 1) / 2;
+  LeafView view;
+  double pairs = 0;
+  uint64_t looked = 0;
+  const auto look = [&](uint64_t a, uint64_t b) {
+    const Leaf &one = setting.leaves.leaves[a], &other = setting.leaves.leaves[b];
+    ++looked;
+    look_between(one, other, setting.blockers, setting.tolerance, view);
+    if (view.facing && !view.blocked) pairs += double(one.count) * double(other.count);
+  };
+  if (all <= kSampled) {
+    for (uint64_t a = 0; a < n; ++a)
+      for (uint64_t b = a + 1; b < n; ++b) look(a, b);
+  } else {
+    for (uint32_t k = 0; k < kSampled; ++k) {
+      const uint64_t a = hash_combine(k, 1) % n, b = hash_combine(k, 2) % n;
+      if (a != b) look(a, b);
+    }
+  }
+  return looked > 0 ? pairs / double(looked) * double(all) : 0;
+}
+
+void check_memory(const Setting& setting, double allowed) {
+  const double needed = kBytesPerPair * visible_pairs(setting);
+  if (needed <= allowed) return;
+  const size_t n = setting.leaves.fragments.size();
+  throw Error(Code::limit, "surfaces",
+              fmt::format("the matrix of {} will take about {:.2g} GB, more than the {:.2g} GB allowed", n,
+                          needed / 1e9, allowed / 1e9),
+              fmt::format("about {} would fit", size_t(std::sqrt(allowed / needed) * double(n))));
+}
+
 }  // namespace
 
-Exchanges exchanges(const Faces& faces, double target_error, Progress* progress) {
+Exchanges exchanges(const Faces& faces, double target_error, double allowed_bytes, Progress* progress) {
   Exchanges result;
   result.leaves = make_leaves(faces);
   result.blocks.resize(result.leaves.leaves.size()), result.entries.resize(result.leaves.leaves.size());
@@ -407,6 +448,7 @@ Exchanges exchanges(const Faces& faces, double target_error, Progress* progress)
   const bool shadows_overlap = blockers.size() > 1;
   const Setting setting{faces,     result.leaves, BlockerTree(std::move(blockers)), target_error,
                         tolerance, size,          SightRays(faces, shadows_overlap)};
+  check_memory(setting, allowed_bytes);
   if (progress) progress->begin("view factors", "leaves", result.leaves.leaves.size());
   single ? run_all<float>(setting, result, progress) : run_all<double>(setting, result, progress);
   return result;

@@ -31,7 +31,9 @@ struct Exchanges {
   uint64_t held = 0;          // pairs
 };
 
-/// @param target_error  of F_ij and of F_ji
-Exchanges exchanges(const Faces& faces, double target_error, Progress* progress);
+/// @param target_error   of F_ij and of F_ji
+/// @param allowed_bytes  of memory for what is found and the matrix that is made of it
+/// @throws Error limit (from a sample of the leaves, before memory is taken), cancelled
+Exchanges exchanges(const Faces& faces, double target_error, double allowed_bytes, Progress* progress);
 
 }  // namespace aktina

@@ -14,21 +14,9 @@
 namespace aktina {
 namespace {
 
-constexpr double kBytesPerEntry = sizeof(double) + sizeof(uint32_t) + sizeof(float);
-
 double allowed_bytes(const ViewFactorOptions& options) {
   if (options.most_bytes > 0) return double(options.most_bytes);
   return 0.75 * double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-}
-
-void check_memory(size_t pieces, size_t surfaces, const ViewFactorOptions& options) {
-  const double needed = view_factor_bytes(pieces, surfaces), allowed = allowed_bytes(options);
-  if (needed <= allowed) return;
-  const double fits = std::sqrt(allowed / needed) * double(pieces);
-  throw Error(Code::limit, "surfaces",
-              fmt::format("the matrix of {} may take {:.1f} GB, more than the {:.1f} GB allowed", pieces, needed / 1e9,
-                          allowed / 1e9),
-              fmt::format("about {} polygons fit", size_t(fits)));
 }
 
 /// Adds up the fragments of each surface. A surface of several pieces may see itself.
@@ -153,19 +141,12 @@ double ViewFactors::at(size_t i, size_t j) const {
   return found != end && *found == j ? factors[size_t(found - columns.begin())] : 0;
 }
 
-double view_factor_bytes(size_t pieces, size_t surfaces) {
-  const double p = double(pieces), n = double(surfaces);
-  const double per_pair = double(sizeof(ExchangeBlock)) / double(kLeaf * kLeaf);
-  return 0.5 * per_pair * p * p + 2 * kBytesPerEntry * n * n;
-}
-
 ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& options, Progress* progress) {
   if (scene.pieces.empty()) throw Error(Code::bad_input, "surfaces", "there is none");
   if (!(options.target_error >= 1e-8 && options.target_error <= 0.1))
     throw Error(Code::bad_param, "target_error", fmt::format("got {}", options.target_error), "accepted 1e-8 .. 0.1");
-  check_memory(scene.pieces.size(), scene.surfaces(), options);
   const Faces faces({scene.pieces, scene.occluders});
-  const Exchanges pairs = exchanges(faces, options.target_error, progress);
+  const Exchanges pairs = exchanges(faces, options.target_error, allowed_bytes(options), progress);
   ViewFactors result = Assembler(scene, faces, pairs).run();
   result.largest_excess = pairs.largest_excess, result.held = pairs.held;
   return result;

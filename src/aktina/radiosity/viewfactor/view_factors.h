@@ -49,10 +49,7 @@ struct ViewFactorOptions {
   uint64_t most_bytes = 0;     // of memory; 0: three quarters of the machine's
 };
 
-/// Bytes that a matrix may take at most, all pairs seeing each other.
-double view_factor_bytes(size_t pieces, size_t surfaces);
-
-/// @throws Error bad_input (no surface; a polygon as make_face() refuses it), limit (memory, before it is taken),
+/// @throws Error bad_input (no surface; a polygon as make_face() refuses it), limit (memory, foreseen),
 /// bad_param, cancelled
 ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& options, Progress* progress = nullptr);
 
