@@ -36,10 +36,18 @@ def test_without_highlights_they_are_gouraud(method, model):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_models_whose_highlight_is_no_function_of_one_angle(method):
-    for model in ["ggx", "ward", "cook_torrance", "torrance_sparrow"]:
+    interpolating = method in ("overveld_highlights", "vlasic", "brown")
+    for model in ["ggx", "ward"] + ["cook_torrance", "torrance_sparrow", "phong:fresnel=1"] * interpolating:
         with pytest.raises(aktina.Error, match="blinn_phong") as error:
             interpolated(method, model=model)
         assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("model", ["cook_torrance", "torrance_sparrow", "phong:fresnel=1"])
+def test_facets_pass_the_test_for_highlights(model):
+    hybrid = interpolated("hybrid", model=model)
+    for method in ["h_test", "lai_tai"]:
+        np.testing.assert_allclose(interpolated(method, model=model), hybrid, atol=0.01)
 
 
 @pytest.mark.parametrize("exponent", [0, -3, 1e6])

@@ -195,6 +195,34 @@ TEST(HighlightTest, NoPointOfARejectedTriangleShinesMoreThanTheShare) {
   EXPECT_GT(rejected, dark * 6 / 10) << "a test that rejects little is of no use";
 }
 
+TEST(HighlightTest, NoPointOfATriangleRejectedForItsFacetsShinesMoreThanTheShare) {
+  constexpr float kShare = 1.0f / 512;
+  Pcg32 random(7);
+  int rejected = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Case c(random);
+    const int which = round % 5;
+    c.surface.ior = 1e4f, c.surface.roughness = 0.15f + 0.6f * random.uniform();  // Fresnel's factor: 1
+    if (which < 4)
+      c.model = TorranceSparrow{FacetDistribution(which), 0};
+    else
+      c.model = CookTorrance{};
+    const Illuminator light = c.light();
+    const HighlightCurve curve = highlight_curve(light, "test");
+    if (may_shine(curve, curve.cosine_at(kShare), light.lamps()[0], c.viewer, c.position, c.normal)) continue;
+    ++rejected;
+    const float slope = facet_slope(c.surface), along_normal = which < 4 ? 1 : 1 / (slope * slope);
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 b = barycentric(random);
+      const Point3 x = mix(c.position, b);
+      const Vec3 wi = sample(c.lights[0], x).wi, wo = c.viewer.towards(x);
+      const float peak = 2 * along_normal / dot(wo, half_vector(wi, wo, wo));
+      EXPECT_LE(c.shine(b), kShare * 1.02f * peak) << round;
+    }
+  }
+  EXPECT_GT(rejected, 200);
+}
+
 TEST(HighlightTest, OfAGroupIsThatOfEachTriangle) {
   Pcg32 random(5);
   int different = 0, count = 0;

@@ -25,11 +25,44 @@ Cap cap_towards(Vec3 at, bool distant, std::span<const Point3> corners) {
   return cap;
 }
 
+/// tan^2 of the angle beyond which exp(-tan^2 / m^2) / cos^4 is less than `share`. It falls from tan^2 = 2 m^2 - 1 on.
+float beckmann_reach(float m, float share) {
+  const float m2 = m * m, wanted = std::log(share);
+  const auto logarithm = [&](float t2) { return 2 * std::log1p(t2) - t2 / m2; };
+  float low = std::max(2 * m2 - 1, 0.0f), high = std::max(1.0f, 2 * low);
+  while (logarithm(high) > wanted) high *= 2;
+  for (int i = 0; i < 40; ++i) {
+    const float middle = 0.5f * (low + high);
+    (logarithm(middle) > wanted ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The least cosine where a distribution of facets is `share`, in (0, 1), of what it is along the normal.
+float facets_cosine_at(FacetDistribution distribution, float width, float share) {
+  switch (distribution) {
+    case FacetDistribution::phong:
+      return std::pow(share, 1 / width);
+    case FacetDistribution::gaussian: {
+      const float angle = std::sqrt(-std::log(share)) / width;
+      return angle < 1.5f ? std::cos(angle) : 0;
+    }
+    case FacetDistribution::trowbridge_reitz: {  // c3^2 / (1 - (1 - c3^2) cos^2) is the root of the share
+      const float c2 = width * width, cosine2 = (1 - c2 / std::sqrt(share)) / std::max(1 - c2, 1e-6f);
+      return std::sqrt(std::clamp(cosine2, 0.0f, 1.0f));
+    }
+    default:
+      return 1 / std::sqrt(1 + beckmann_reach(width, share));
+  }
+}
+
 }  // namespace
 
 float HighlightCurve::cosine_at(float share) const {
   if (power == Power::none || share > 1) return 2;
-  if (share <= 0 || !(exponent > 0)) return 0;
+  if (share <= 0) return 0;
+  if (power == Power::facets) return share < 1 ? facets_cosine_at(distribution, width, share) : 1;
+  if (!(exponent > 0)) return 0;
   if (power == Power::exact) return std::pow(share, 1 / exponent);
   return std::min(share * exponent / (1 - share + share * exponent), 1.0f);  // S(t) = t / (n - n t + t)
 }
@@ -44,11 +77,18 @@ HighlightCurve highlight_curve(const Illuminator& light, std::string_view method
     curve.power = HighlightCurve::Power::exact, curve.half = true;
   } else if (const auto* schlick = std::get_if<Schlick>(&model)) {
     curve.power = HighlightCurve::Power::schlick, curve.half = schlick->half;
+  } else if (const auto* sparrow = std::get_if<TorranceSparrow>(&model)) {
+    curve.power = HighlightCurve::Power::facets, curve.half = curve.varies = true;
+    curve.distribution = sparrow->distribution, curve.width = sparrow->width(light.surface());
+  } else if (const auto* cook = std::get_if<CookTorrance>(&model)) {
+    curve.power = HighlightCurve::Power::facets, curve.half = curve.varies = true;
+    curve.distribution = FacetDistribution::beckmann;
+    curve.width = cook->slope > 0 ? cook->slope : facet_slope(light.surface());
   } else if (!(std::holds_alternative<Constant>(model) || std::holds_alternative<Ambient>(model) ||
                std::holds_alternative<Lambert>(model) || std::holds_alternative<OrenNayar>(model))) {
     throw Error(Code::unsupported, "shading." + std::string(method),
                 "the illumination model's highlight is not a function of one cosine",
-                "with phong, blinn_phong, schlick, or a model without highlights");
+                "with phong, blinn_phong, schlick, torrance_sparrow, cook_torrance, or a model without highlights");
   }
   return curve;
 }
@@ -56,7 +96,8 @@ HighlightCurve highlight_curve(const Illuminator& light, std::string_view method
 HighlightCurve sole_highlight_curve(const Illuminator& light, std::string_view method) {
   const HighlightCurve curve = highlight_curve(light, method);
   if (curve.varies)
-    throw Error(Code::unsupported, "shading." + std::string(method), "got phong:fresnel=1",
+    throw Error(Code::unsupported, "shading." + std::string(method),
+                "the illumination model's highlight is not a function of one cosine",
                 "with phong, blinn_phong, schlick, or a model without highlights");
   return curve;
 }

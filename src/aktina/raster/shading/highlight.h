@@ -14,19 +14,22 @@ namespace aktina {
 
 /// The highlight of an illumination model, as a function of one cosine.
 struct HighlightCurve {
-  enum class Power { none, exact, schlick };  // none: the model has no highlights
+  enum class Power { none, exact, schlick, facets };  // none: the model has no highlights; facets: no power
 
   Power power = Power::none;
   bool half = false;    // of the angle between normal and half vector; else between mirror and view direction
-  bool varies = false;  // times a factor of at most 1 that is no function of the cosine (Fresnel's)
+  bool varies = false;  // times a factor of at most 1 that is no function of the cosine (Fresnel's, shadows of facets)
   float exponent = 1;   // not below 0
+  FacetDistribution distribution = FacetDistribution::phong;  // of facets, and its width
+  float width = 1;
 
   /// How far from the peak: 0 there, 1 where the cosine is 0, rising on beyond. The square of a sine where the cosine
   /// is Blinn's; 1 less the cosine where it is Phong's, whose angle is twice as large: both go with the square of the
   /// angle between normal and half vector.
   float fall(float cosine) const { return half ? 1 - cosine * (cosine > 0 ? cosine : -cosine) : 1 - cosine; }
 
-  /// The least cosine, in [0, 1], where the highlight is `share` of its peak; 2 for shares above 1.
+  /// The least cosine, in [0, 1], where the highlight is `share` of its peak; 2 for shares above 1. Of facets the peak
+  /// is 2 D(0) F / v.h, the most that the model can give at the lamp's and viewer's directions.
   float cosine_at(float share) const;
 };
 
