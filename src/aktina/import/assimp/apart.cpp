@@ -16,17 +16,6 @@
 
 #include "aktina/base/error.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // gcc
-#define AKTINA_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define AKTINA_SANITIZED 1
-#endif
-#endif
-#ifndef AKTINA_SANITIZED
-#define AKTINA_SANITIZED 0
-#endif
-
 namespace aktina::assimp {
 namespace {
 
@@ -111,7 +100,7 @@ void confine(const Limits& limits) {
   const rlimit seconds = {limits.seconds, limits.seconds + 1};
   ::setrlimit(RLIMIT_CPU, &seconds);
   ::alarm(limits.seconds * kWallFactor);
-  if (kMemoryIsLimited) limit(RLIMIT_AS, address_space() + limits.most_bytes);
+  limit(RLIMIT_AS, address_space() + limits.most_bytes);
 }
 
 void send_error(Output& output, Code code, const std::string& what, const std::string& hint) {
@@ -181,8 +170,6 @@ Error ended(int status, const Limits& limits, const std::string& where) {
 }
 
 }  // namespace
-
-const bool kMemoryIsLimited = AKTINA_SANITIZED == 0;
 
 void run_apart(const Limits& limits, const std::string& where, const std::function<void(const Sink&)>& work,
                const std::function<void(const Source&)>& take) {

@@ -8,9 +8,6 @@
 
 namespace aktina::assimp {
 
-/// Not in builds with sanitizers, which take address space without bound.
-extern const bool kMemoryIsLimited;
-
 struct Limits {
   uint64_t most_bytes = 0;  // of memory beyond what is there already
   unsigned seconds = 60;    // of computing time
