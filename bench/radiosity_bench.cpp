@@ -1,4 +1,5 @@
 // Radiosity: how many shots a second, what a second thread is worth, and what a furnished room takes.
+#include <cmath>
 #include <string>
 
 #include "aktina/base/parallel.h"
@@ -15,6 +16,13 @@ double seconds_of(const Scene& scene, int threads, uint64_t steps) {
   set_thread_count(threads);
   RadiosityOptions options;
   options.solver = "progressive", options.indirect_size = 0, options.most_steps = steps;
+  return bench::seconds([&] { solve_radiosity(scene, options); });
+}
+
+/// The Cornell box in so many patches; its slope of time against their number.
+double default_solve(const Scene& scene, double patches) {
+  RadiosityOptions options;
+  options.patch_size = std::sqrt(2.0 / patches);  // m; it has 2 m^2
   return bench::seconds([&] { solve_radiosity(scene, options); });
 }
 
@@ -35,5 +43,13 @@ int main() {
   bench::report("radiosity.threads", "shots by rays on two threads against one", one / two, "x", bench::Goal{1.85});
   bench::report("radiosity.room", "room.glb, default quality, all threads",
                 bench::seconds([&] { solve_radiosity(room, {}); }), "s");
+  set_thread_count(1);
+  const double few = default_solve(cornell, 1e4), many = default_solve(cornell, 1e6);
+  set_thread_count(0);
+  bench::report("radiosity.default", "default solve of the Cornell box, 10,000 patches, one thread", few, "s",
+                bench::Goal{1.5, false});
+  bench::report("radiosity.million", "default solve of the Cornell box, 10^6 patches, one thread", many, "s");
+  bench::report("radiosity.slope", "log time over log patches, 10^4 to 10^6", std::log(many / few) / std::log(100.0),
+                "1", bench::Goal{1.15, false});
   return 0;
 }

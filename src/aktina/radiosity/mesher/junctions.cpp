@@ -67,8 +67,6 @@ void Junctions::on_edge(Point3 a, Point3 b, std::vector<Point3>& found) const {
   if (points_.empty() || !(squared > 0)) return;
   std::vector<uint32_t> near;
   search(a, b, 0, 1, near);
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
   std::vector<std::pair<double, Point3>> on;
   for (const uint32_t i : near) {
     const Vec3d to = Vec3d(points_[i]) - start;
@@ -77,7 +75,7 @@ void Junctions::on_edge(Point3 a, Point3 b, std::vector<Point3>& found) const {
     if (squared_length(to - t * edge) <= double(tolerance_) * double(tolerance_)) on.emplace_back(t, points_[i]);
   }
   std::sort(on.begin(), on.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
-  double last = 0;
+  double last = 0;  // what was found twice, at the ends of two pieces, comes once
   for (const auto& [t, p] : on)
     if (t > last + margin) found.push_back(p), last = t;
 }

@@ -10,6 +10,7 @@ namespace aktina {
 namespace {
 
 constexpr size_t kMostEmitters = 256;  // the brightest; what the others emit goes with the indirect light
+constexpr double kEmitterSize = 4;     // coarse patches: they are seen by many, so they are fewer
 constexpr double kWeights[3] = {0.2126, 0.7152, 0.0722};  // luminance()
 
 double total_area(const PatchMesh& mesh) {
@@ -34,32 +35,35 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Radiosity
   const std::vector<double> lamps = direct_light(scene, sides, visibility_, options.seed, progress);
   direct_.assign(sides.size(), Rgb(0));
   for (size_t k = 0; k < lamps.size(); ++k) direct_[k / 3][int(k % 3)] = float(lamps[k]);
-  make_problem();
-  shoot_emitters(options, progress);
+  RadiosityProblem all = sides.problem();
+  all.arriving = lamps;
+  emitted_ = all.emitted();
+  shoot_emitters(kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), options, progress, all);
+  make_problem(all);
 }
 
-void DirectApart::make_problem() {
-  const RadiosityProblem all = sides_.problem();
+void DirectApart::make_problem(const RadiosityProblem& all) {
   problem_.bands = all.bands, problem_.weights = all.weights;
   for (size_t i = 0; i < patches_.size(); ++i) problem_.areas.push_back(patches_.area(i));
   problem_.reflectances = patches_.means(all.reflectances, 3);
   problem_.emissions = patches_.means(all.emissions, 3);
   if (!all.passing.empty()) problem_.passing = patches_.means(all.passing, 3);
   problem_.shoot_one_by_one();
-  Sum emitted;
-  for (size_t s = 0; s < sides_.size(); ++s)
-    for (size_t b = 0; b < 3; ++b) {
-      const double passing = all.passing.empty() ? 0 : all.passing[3 * s + b];
-      emitted.add(all.areas[s] * kWeights[b] * (all.emissions[3 * s + b] + double(direct_[s][int(b)]) * (1 - passing)));
-    }
-  emitted_ = emitted.value();
+  std::vector<double> arriving(direct_.size() * 3);
+  for (size_t k = 0; k < arriving.size(); ++k) arriving[k] = double(direct_[k / 3][int(k % 3)]);
+  problem_.arriving = patches_.means(arriving, 3);
 }
 
-void DirectApart::shoot_emitters(const RadiosityOptions& options, Progress* progress) {
+/// The brightest emitters, as large as several coarse patches: their light is added, their emissions are taken out of
+/// `all`.
+void DirectApart::shoot_emitters(double size, const RadiosityOptions& options, Progress* progress,
+                                 RadiosityProblem& all) {
+  const CoarsePatches clusters(sides_, size, buried_);
+  const std::vector<double> means = clusters.means(all.emissions, 3);
   std::vector<std::pair<double, uint32_t>> powers;
-  for (uint32_t i = 0; i < patches_.size(); ++i) {
+  for (uint32_t i = 0; i < clusters.size(); ++i) {
     double power = 0;
-    for (size_t b = 0; b < 3; ++b) power += problem_.areas[i] * kWeights[b] * problem_.emissions[3 * i + b];
+    for (size_t b = 0; b < 3; ++b) power += clusters.area(i) * kWeights[b] * means[3 * i + b];
     if (power > 0) powers.emplace_back(-power, i);
   }
   std::sort(powers.begin(), powers.end());
@@ -69,16 +73,13 @@ void DirectApart::shoot_emitters(const RadiosityOptions& options, Progress* prog
   for (const auto& [power, i] : powers) {
     emitters.push_back(i), exitances.emplace_back();
     for (size_t b = 0; b < 3; ++b) {
-      exitances.back()[int(b)] = float(problem_.emissions[3 * i + b]);
-      problem_.emissions[3 * i + b] = 0;
+      exitances.back()[int(b)] = float(means[3 * i + b]);
+      for (const uint32_t s : clusters.sides(i)) all.emissions[3 * s + b] = 0;
     }
   }
   if (!emitters.empty())
-    add_emitter_light(ShotGeometry(sides_, patches_, true), visibility_, emitters, exitances,
+    add_emitter_light(ShotGeometry(sides_, clusters, true), visibility_, emitters, exitances,
                       4 * ray_cast_samples(options.formfactor), options.seed, progress, direct_);
-  std::vector<double> arriving(direct_.size() * 3);
-  for (size_t k = 0; k < arriving.size(); ++k) arriving[k] = double(direct_[k / 3][int(k % 3)]);
-  problem_.arriving = patches_.means(arriving, 3);
 }
 
 double DirectApart::absorbed(const std::vector<Rgb>& irradiances) const {

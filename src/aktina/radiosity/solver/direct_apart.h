@@ -34,8 +34,8 @@ class DirectApart {
   Light on_sides(const RadiosityState& coarse) const;
 
  private:
-  void make_problem();
-  void shoot_emitters(const RadiosityOptions& options, Progress* progress);
+  void shoot_emitters(double size, const RadiosityOptions& options, Progress* progress, RadiosityProblem& all);
+  void make_problem(const RadiosityProblem& all);
   double absorbed(const std::vector<Rgb>& irradiances) const;
 
   const Sides& sides_;

@@ -17,11 +17,16 @@ constexpr float kLeastCosine = 0.7f;
 constexpr float kLift = 0.15f;    // of a patch's size: the height at which neighbours must see each other
 constexpr double kBeyond = 0.25;  // of the neighbours' range
 
-/// Points in cells of a grid.
+/// Middles of patches in cells of a grid.
 class Grid {
  public:
-  Grid(const CoarsePatches& patches, double cell) : patches_(patches), cell_(float(cell)) {
-    for (uint32_t i = 0; i < patches.size(); ++i) cells_[key(cell_of(patches.centre(i)))].push_back(i);
+  struct Item {
+    Point3 centre;
+    uint32_t patch;
+  };
+  Grid(const CoarsePatches& patches, double cell) : cell_(float(cell)) {
+    for (uint32_t i = 0; i < patches.size(); ++i)
+      cells_[key(cell_of(patches.centre(i)))].push_back({patches.centre(i), i});
   }
   template <class Body>
   void around(Point3 p, double radius, const Body& body) const {
@@ -30,7 +35,7 @@ class Grid {
       for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x)
           if (const auto at = cells_.find(key({x, y, z})); at != cells_.end())
-            for (const uint32_t i : at->second) body(i);
+            for (const Item& item : at->second) body(item);
   }
 
  private:
@@ -39,9 +44,8 @@ class Grid {
     return (uint64_t(uint32_t(c.x)) & 0x1fffff) << 42 | (uint64_t(uint32_t(c.y)) & 0x1fffff) << 21 |
            (uint64_t(uint32_t(c.z)) & 0x1fffff);
   }
-  const CoarsePatches& patches_;
   float cell_;
-  std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
+  std::unordered_map<uint64_t, std::vector<Item>> cells_;
 };
 
 }  // namespace
@@ -65,8 +69,9 @@ void CoarseInterpolation::find_neighbours() {
       const Point3 x = patches_.centre(i);
       const Vec3 n = patches_.normal(i);
       const auto reach = float(kListReach * size(i)), lift = kLift * float(size(i));
-      grid.around(x, double(reach), [&](uint32_t j) {
-        const float squared = squared_length(patches_.centre(j) - x);
+      grid.around(x, double(reach), [&](const Grid::Item& item) {
+        const float squared = squared_length(item.centre - x);
+        const uint32_t j = item.patch;
         if (squared < reach * reach && dot(n, patches_.normal(j)) > kLeastCosine &&
             patches_.buried(i) == patches_.buried(j))
           found.emplace_back(j == i ? -1 : squared, j);

@@ -10,12 +10,12 @@ namespace {
 struct Quality {
   std::string_view id;
   double patches, tolerance, target_error;
+  double coarse;  // most patches for indirect light, about: it needs no more, however fine the mesh
 };
 constexpr Quality kQualities[] = {
-    {"draft", 4'000, 1e-2, 0.03}, {"normal", 12'000, 1e-3, 0.01}, {"fine", 48'000, 1e-4, 0.007}};
+    {"draft", 4'000, 1e-2, 0.03, 1'000}, {"normal", 12'000, 1e-3, 0.01, 3'000}, {"fine", 48'000, 1e-4, 0.007, 10'000}};
 
-constexpr double kUsualCoarse = 4;      // patch sizes, where nothing is computed apart
-constexpr double kMostCoarse = 10'000;  // coarse patches, about: indirect light needs no more
+constexpr double kUsualCoarse = 4;  // patch sizes, where nothing is computed apart
 
 const Quality& quality_of(const std::string& id) {
   for (const Quality& q : kQualities)
@@ -45,7 +45,7 @@ MeshOptions mesh_options(const RadiosityOptions& options, bool apart) {
   mesh.patch_size = options.patch_size;
   mesh.usual_patches = quality_of(options.quality).patches;
   mesh.coarse = apart ? options.indirect_size : kUsualCoarse;
-  if (apart) mesh.most_coarse = kMostCoarse;
+  if (apart) mesh.most_coarse = quality_of(options.quality).coarse;
   mesh.most_patches = options.most_patches;
   return mesh;
 }
