@@ -22,6 +22,7 @@ constexpr double kSinglePrecision = 1e-5;  // targets from here on are met by fl
 constexpr size_t kMostClipped = 24;        // blockers between two fragments beyond which rays are faster
 constexpr double kRayError = 2.5e-3;       // of a share, that rays come down to
 constexpr double kBetweenPoints = 1e-3;    // of a share, that sixteen points may miss; measured
+constexpr double kSixteenPoints = 0.05;    // of a share, by which they may be wrong where a shadow's edge passes
 constexpr int kMostHalvings = 8;
 constexpr size_t kMostCells = 6000;  // for one pair
 
@@ -301,6 +302,8 @@ class LeafPair {
     // Where sixteen points see no shadow or nothing else, a corner of one may still pass between them.
     const bool uniform = first.low >= (1 - 1e-5) * first.whole || first.high <= 1e-5 * first.whole;
     if (uniform && kBetweenPoints <= wanted) return {first.seen() / first.whole, kBetweenPoints};
+    const double uncertain = kSixteenPoints + 0.5 * (first.high - first.low) / first.whole;
+    if (uncertain <= 0.5 * wanted) return {first.seen() / first.whole, uncertain};
     if (first.high - first.low > 2 * std::max(wanted, 1e-3) * first.whole && !exact) return {0, 1};
     cells_left_ = kMostCells;
     Shares sum;
