@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 program=$1/aktina out=$2 scene=scenes/room.glb
 size=(--size 720x480)
-light=(--patch-size 0.25 --tolerance 0.01)
+light=(--quality draft)
 mkdir -p "$out"
 
 row() { printf '%-24s  %-52s  %8s\n' "$@"; }

@@ -9,6 +9,7 @@ namespace aktina {
 namespace {
 
 constexpr double kPixels = 960 * 640, kBytesPerPixel = 64, kEmbreeBytesPerTriangle = 150;
+constexpr double kIndirectRays = 3e6, kRaysPerPatch = 60;
 constexpr double kUsualPatches = 12'000;  // where the patch size is left to Aktina
 
 double scene_bytes(const Scene& scene) {
@@ -34,7 +35,8 @@ std::vector<JobEstimate> estimate_jobs(const Scene& scene) {
   return {
       {"render raster", own + 160 * n + picture, (1e-7 * n + 4 * kPixels * 1e-7) / threads},
       {"render path", own + accelerator + picture, (64 * 2.5 * kPixels * ray + 5e-7 * n) / threads},
-      {"radiosity", own + accelerator + 200 * patches, (patches * 0.05 * patches * ray + 5e-7 * n) / threads},
+      {"radiosity", own + accelerator + 200 * patches,
+       ((kIndirectRays + kRaysPerPatch * patches) * ray + 5e-7 * n) / threads},
   };
 }
 

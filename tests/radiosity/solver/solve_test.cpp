@@ -107,7 +107,7 @@ TEST(SolveRadiosity, NoIndirectLightGoesThroughAWallOnTheFloor) {
   }
   scene.materials.insert(scene.materials.end(), other.materials.begin(), other.materials.end());
   scene.lights.push_back({"lamp", PointLight{{0.5f, 0.5f, 0.5f}, Intensity(Rgb(100))}, -1});
-  const Solution s = solve_radiosity(scene, {.patch_size = 0.05});
+  const Solution s = solve_radiosity(scene, {.quality = "draft", .patch_size = 0.1});
   double left = 0, right = 0;
   for (size_t i = 0; i < s.mesh.size(); ++i) {
     const float x = s.mesh.positions[s.mesh.patches[i][0]].x, x2 = s.mesh.positions[s.mesh.patches[i][2]].x;
