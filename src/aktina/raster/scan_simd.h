@@ -104,59 +104,95 @@ HWY_INLINE TileEdges edges_at_tile(const TriangleRecord& t, int x, int y) {
   return out;
 }
 
+/// The three edge functions at the upper left pixels of a tile's blocks.
+struct BlockEdges {
+  alignas(64) int32_t e[3][16];
+};
+
 /// What stays the same from tile to tile of a triangle.
 struct Steps {
   Ints lanes[3];
-  int32_t corner[3];  // from the upper left pixel of a block to where the edge function is largest in it
-
   HWY_INLINE explicit Steps(const TriangleRecord& t) {
-    for (int k = 0; k < 3; ++k) {
-      lanes[k] = step_lanes(t.a[k], t.b[k]);
-      corner[k] = 3 * std::max(t.a[k], 0) + 3 * std::max(t.b[k], 0);
-    }
+    for (int k = 0; k < 3; ++k) lanes[k] = step_lanes(t.a[k], t.b[k]);
   }
-
-  /// Bits of the blocks that may be covered; `edge` gets the functions at the blocks' upper left pixels.
-  HWY_INLINE uint32_t find_blocks(const TileEdges& tile, int32_t (&edge)[3][16]) const {
-    uint32_t blocks = 0;
-    for (size_t p = 0; p < kParts; ++p) {
-      I highest[3];
-      for (int k = 0; k < 3; ++k) {
-        const I e = hn::ShiftLeft<2>(lanes[k].part[p]) + set(tile.e[k]);
-        store(e, edge[k] + p * kPart);
-        highest[k] = e + set(corner[k]);
-      }
-      blocks |= bits_of(mask(covered(highest[0], highest[1], highest[2]))) << (p * kPart);
-    }
-    return blocks;
+  HWY_INLINE void find_edges(const int32_t (&tile)[3], BlockEdges& out) const {
+    for (int k = 0; k < 3; ++k)
+      for (size_t p = 0; p < kParts; ++p)
+        store(hn::ShiftLeft<2>(lanes[k].part[p]) + set(tile[k]), out.e[k] + p * kPart);
   }
 };
+
+/// From the upper left pixel of a block to where an edge function is largest in it.
+struct Rises {
+  int32_t of_edge[3];
+  HWY_INLINE explicit Rises(const TriangleRecord& t) {
+    for (int k = 0; k < 3; ++k) of_edge[k] = 3 * std::max(t.a[k], 0) + 3 * std::max(t.b[k], 0);
+  }
+};
+
+/// Bits of the blocks of a tile that may be covered: where no edge function is negative all over.
+HWY_INLINE uint32_t touched_blocks(const Steps& steps, const int32_t (&tile)[3], const Rises& rises) {
+  uint32_t blocks = 0;
+  for (size_t p = 0; p < kParts; ++p) {
+    I highest[3];
+    for (int k = 0; k < 3; ++k)
+      highest[k] = hn::ShiftLeft<2>(steps.lanes[k].part[p]) + set(tile[k]) + set(rises.of_edge[k]);
+    blocks |= bits_of(mask(covered(highest[0], highest[1], highest[2]))) << (p * kPart);
+  }
+  return blocks;
+}
+
+/// Calls visit(const Block&) for the blocks of a tile whose bits are set. @param offset  of the tile's first block;
+/// row: from one row of blocks to the next
+template <class Visit>
+HWY_INLINE void visit_blocks(uint32_t blocks, int tile_x, int tile_y, size_t offset, size_t row, const Steps& steps,
+                             const BlockEdges& edges, float from_x, float from_y, const Visit& visit) {
+  for (; blocks != 0; blocks &= blocks - 1) {
+    const int i = std::countr_zero(blocks);
+    visit(Block{tile_x,
+                tile_y,
+                i,
+                offset + size_t(i >> 2) * row + size_t(i & 3) * kLanes,
+                steps.lanes,
+                {edges.e[0][i], edges.e[1][i], edges.e[2][i]},
+                from_x,
+                from_y});
+  }
+}
+
+/// A triangle of one tile, whose blocks are known; most are.
+template <class Visit>
+HWY_INLINE void scan_small(const TriangleRecord& t, const BlockLayout& layout, const Visit& visit) {
+  const int before = layout.first_row - t.origin_y(), after = layout.first_row + layout.rows - t.origin_y();  // rows
+  if (before >= 16 || after <= 0) return;  // none of its rows are there
+  uint32_t blocks = t.blocks;
+  if (before > 0) blocks &= ~0U << before;  // four blocks for four rows
+  if (after < 16) blocks &= ~(~0U << ((after + 3) & ~3));
+  const Steps steps(t);
+  BlockEdges edges;
+  steps.find_edges(t.e, edges);
+  visit_blocks(blocks, t.origin_x(), t.origin_y(), layout.offset(t.origin_x(), t.origin_y()),
+               size_t(layout.blocks_across()) * kLanes, steps, edges, 0, 0, visit);
+}
 
 /// Calls visit(const Block&) for each block of the layout in which the triangle may cover pixels.
 template <class Visit>
 HWY_INLINE void scan(const TriangleRecord& t, const BlockLayout& layout, const Visit& visit) {
+  if (!t.large() && t.blocks != 0) return scan_small(t, layout, visit);
   const int x0 = t.origin_x(), y0 = std::max(t.origin_y(), layout.first_row);
   const int x1 = t.last_x, y1 = std::min<int>(t.last_y, layout.first_row + layout.rows - 1);
   const size_t row = size_t(layout.blocks_across()) * kLanes;
   const Steps steps(t);
-  alignas(64) int32_t edge[3][16];
+  const Rises rises(t);
+  BlockEdges edges;
   for (int tile_y = y0; tile_y <= y1; tile_y += 16)
     for (int tile_x = x0; tile_x <= x1; tile_x += 16) {
-      uint32_t blocks = steps.find_blocks(edges_at_tile(t, tile_x, tile_y), edge);
-      blocks &= blocks_within(((x1 - tile_x) >> 2) + 1, ((y1 - tile_y) >> 2) + 1);
-      const size_t first = layout.offset(tile_x, tile_y);
-      const auto from_x = float(tile_x - x0), from_y = float(tile_y - t.origin_y());
-      for (; blocks != 0; blocks &= blocks - 1) {
-        const int i = std::countr_zero(blocks);
-        visit(Block{tile_x,
-                    tile_y,
-                    i,
-                    first + size_t(i >> 2) * row + size_t(i & 3) * kLanes,
-                    steps.lanes,
-                    {edge[0][i], edge[1][i], edge[2][i]},
-                    from_x,
-                    from_y});
-      }
+      const TileEdges tile = edges_at_tile(t, tile_x, tile_y);
+      steps.find_edges(tile.e, edges);
+      const uint32_t blocks =
+          touched_blocks(steps, tile.e, rises) & blocks_within(((x1 - tile_x) >> 2) + 1, ((y1 - tile_y) >> 2) + 1);
+      visit_blocks(blocks, tile_x, tile_y, layout.offset(tile_x, tile_y), row, steps, edges, float(tile_x - x0),
+                   float(tile_y - t.origin_y()), visit);
     }
 }
 

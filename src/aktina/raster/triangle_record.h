@@ -16,7 +16,13 @@ struct alignas(64) TriangleRecord {
   int32_t a[3], b[3], e[3];
   float z0, zx, zy;                           // depth as a plane, from the same block
   uint16_t first_x, first_y, last_x, last_y;  // pixels
-  int32_t corner_x, corner_y;                 // corner 0, 1/256 px
+  union {
+    struct {
+      int32_t x, y;
+    } corner;  // of a large one: corner 0, 1/256 px
+    /// Of others: bits of the 4 x 4 blocks from the origin, row by row, that it may cover; 0 where it reaches beyond.
+    uint32_t blocks;
+  };
 
   bool large() const { return e[0] == kLarge; }
   int origin_x() const { return first_x & ~3; }

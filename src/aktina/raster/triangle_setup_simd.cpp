@@ -58,6 +58,27 @@ HWY_INLINE void find_edges(Triangles& t) {
   }
 }
 
+/// TriangleRecord::blocks: those in which no edge function is negative all over.
+HWY_INLINE NI find_blocks(const Triangles& t) {
+  const NI none = narrow_set(0), reach_x = t.last_x - t.origin_x, reach_y = t.last_y - t.origin_y;
+  NI row[3], blocks = none;
+  for (int k = 0; k < 3; ++k) {
+    const NI rise = hn::Max(t.a[k], none) + hn::Max(t.b[k], none);
+    row[k] = t.e[k] + rise + hn::ShiftLeft<1>(rise);  // at the largest of the first block
+  }
+  for (int y = 0; y < 16; y += 4) {
+    NI e[3] = {row[0], row[1], row[2]};
+    for (int x = 0; x < 16; x += 4) {
+      const NI beyond = (reach_x - narrow_set(x)) | (reach_y - narrow_set(y));
+      const NM touched = hn::Not(hn::Lt(e[0] | e[1] | e[2] | beyond, none));
+      blocks = blocks | hn::IfThenElseZero(touched, narrow_set(1 << (y + x / 4)));
+      for (int k = 0; k < 3; ++k) e[k] = e[k] + hn::ShiftLeft<2>(t.a[k]);
+    }
+    for (int k = 0; k < 3; ++k) row[k] = row[k] + hn::ShiftLeft<2>(t.b[k]);
+  }
+  return hn::IfThenZeroElse(hn::Gt(hn::Max(reach_x, reach_y), narrow_set(15)), blocks);
+}
+
 struct Plane {
   D constant, dx, dy;
 };
@@ -101,7 +122,7 @@ HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int heigh
   put(z.constant, out.word[9] + i), put(z.dx, out.word[10] + i), put(z.dy, out.word[11] + i);
   put(t.first_x | hn::ShiftLeft<16>(t.first_y), out.word[12] + i);
   put(t.last_x | hn::ShiftLeft<16>(t.last_y), out.word[13] + i);
-  put(t.x[0], out.word[14] + i), put(t.y[0], out.word[15] + i);
+  put(hn::IfThenElse(t.large, t.x[0], find_blocks(t)), out.word[14] + i), put(t.y[0], out.word[15] + i);
   for (int k = 0; k < 2; ++k) {
     put(p[k].constant, planes.constant[k].v + i);
     put(p[k].dx, planes.dx[k].v + i);
@@ -112,7 +133,7 @@ HWY_INLINE void set_up_part(const CornerGroup& g, size_t i, int width, int heigh
 void SetUpTriangles(const CornerGroup& g, int width, int height, TriangleRecord* out, ScreenPlanes& planes) {
   static_assert(offsetof(TriangleRecord, b) == 12 && offsetof(TriangleRecord, e) == 24 &&
                 offsetof(TriangleRecord, z0) == 36 && offsetof(TriangleRecord, first_x) == 48 &&
-                offsetof(TriangleRecord, last_x) == 52 && offsetof(TriangleRecord, corner_x) == 56);
+                offsetof(TriangleRecord, last_x) == 52 && offsetof(TriangleRecord, corner) == 56);
   Columns c;
   for (size_t i = 0; i < kLanes; i += kWidePart) set_up_part(g, i, width, height, c, planes);
   for (size_t i = 0; i < kLanes; i += kPart)
@@ -136,8 +157,8 @@ void set_up_triangles(const CornerGroup& group, int width, int height, TriangleR
 
 Edges edges_at(const TriangleRecord& r, int x, int y) {
   // Corners 1 and 2 follow from corner 0 and the edges that lead there.
-  const int64_t corner_x[3] = {r.corner_x, int64_t(r.corner_x) - r.b[2], int64_t(r.corner_x) + r.b[1]};
-  const int64_t corner_y[3] = {r.corner_y, int64_t(r.corner_y) + r.a[2], int64_t(r.corner_y) - r.a[1]};
+  const int64_t corner_x[3] = {r.corner.x, int64_t(r.corner.x) - r.b[2], int64_t(r.corner.x) + r.b[1]};
+  const int64_t corner_y[3] = {r.corner.y, int64_t(r.corner.y) + r.a[2], int64_t(r.corner.y) - r.a[1]};
   const int64_t px = int64_t(x) * kSubpixels + kSubpixels / 2, py = int64_t(y) * kSubpixels + kSubpixels / 2;
   Edges out;
   for (int k = 0; k < 3; ++k) {
