@@ -109,6 +109,42 @@ def illumination(methods):
         if method == "ggx":
             scene = ball_and_torus({"base_colour": [0.9, 0.55, 0.35], "metallic": 1, "roughness": 0.35})
         write("illumination", method, scene.render("raster", WIDTH, HEIGHT, samples=16, illumination=choice), 0.11)
+        if method != "ambient":  # dark
+            write("illumination", f"lobe_{method}", lobes(method))
+
+
+LOBE_MATERIAL = {"kd": 0.4, "ks": 0.4, "exponent": 20, "base_colour": [0.9] * 3, "metallic": 1, "roughness": 0.5}
+LOBE_LIGHTS = {15: (0.9, 0.45, 0.1), 45: (0.1, 0.55, 0.35), 65: (0.15, 0.3, 0.8)}  # degrees off the normal -> colour
+
+
+def lobes(method, width=320, height=176, finer=3):
+    """Polar plot: radiance towards each direction of the plane of incidence, for three directions of the light.
+
+    The light comes from the left, along the strokes. All lobes of a plot have one scale, that of the
+    largest within 75 degrees of the normal; what is larger beyond, where some models grow without bound, is cut."""
+    def radiance(light, angle):
+        l, v = ([np.sin(a), 0 * a, np.cos(a)] for a in (-np.radians(light), angle))
+        return aktina.illuminate(method, LOBE_MATERIAL, [0, 0, 1], np.stack(l), np.stack(v, -1))[..., 0]
+    angles = np.linspace(-np.pi / 2, np.pi / 2, 1801)
+    values = {light: radiance(light, angles) for light in LOBE_LIGHTS}
+    scale = max(v[abs(angles) < 1.3].max() for v in values.values())
+    y, x = np.mgrid[0:height * finer, 0:width * finer] / finer
+    x, y = x - width / 2, height - 14 - y
+    r, angle, full = np.hypot(x, y), np.arctan2(x, y), height - 26
+    picture = np.ones((*x.shape, 3))
+    for ring in (0.25, 0.5, 0.75, 1):
+        picture[(abs(r - ring * full) < 0.4) & (y > 0)] = 0.75
+    for light, values_of in values.items():
+        edge = np.interp(angle, angles, np.minimum(values_of / scale, 1)) * full
+        colour = np.array(LOBE_LIGHTS[light])
+        inside = (r < edge) & (y > 0)
+        picture[inside] = 0.75 * picture[inside] + 0.25 * colour
+        picture[(abs(r - edge) < 0.9) & (y > 0) & (edge > 1)] = colour
+        a = -np.radians(light)
+        stroke = (abs(x * np.cos(a) - y * np.sin(a)) < 0.6) & (x * np.sin(a) + y * np.cos(a) > 0.88 * full) & (r < full)
+        picture[stroke] = colour
+    picture[(abs(y) < 0.6)] = 0.2
+    return picture.reshape(height, finer, width, finer, 3).mean(axis=(1, 3)).astype(np.float32)
 
 
 def shading(methods):

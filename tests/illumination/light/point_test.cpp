@@ -18,6 +18,27 @@ TEST(PointLight, AllItsFluxPassesASphereAboutIt) {
       << "wherever it stands inside";
 }
 
+TEST(PointLight, FarAwayItIsParallelLight) {
+  // Q = P0 - s D: direction and, without attenuation, illuminance approach a directional light's as 1 / s
+  const Vec3 d = normalize(Vec3(0.3f, -1, 0.2f));
+  float before = 0;
+  for (const float s : {100.0f, 1000.0f, 10000.0f}) {
+    const LightSample near = sample(PointLight{.position = -s * d, .attenuation = {1, 0, 0, true}}, {1, 0, 2});
+    const float off = length(near.wi + d);
+    EXPECT_EQ(near.e_perp.v.g, 1);
+    if (before > 0) {
+      EXPECT_NEAR(before / off, 10, 0.5f);
+    }
+    before = off;
+  }
+}
+
+TEST(PointLight, DepthCueingIsAFactorOfItsOwn) {
+  EXPECT_EQ(depth_cue(0.5f, 0, 3), depth_cue(0.5f, 0, 300)) << "k2 = 0: constant";
+  EXPECT_EQ(depth_cue(1, 1, 3), 0.25f);
+  for (float d = 0; d < 10; d += 0.5f) EXPECT_GT(depth_cue(1, 0.1f, d), depth_cue(1, 0.1f, d + 0.5f));
+}
+
 TEST(PointLight, AtTheLightItselfNothingIsInfinite) {
   const LightSample s = sample(PointLight{}, {0, 0, 0});
   EXPECT_TRUE(is_finite(s.e_perp.v));

@@ -29,5 +29,20 @@ TEST(SpotLight, FluxIsTheIntegralOfItsIntensity) {
   EXPECT_NEAR(test::flux_through_sphere(smooth, 1, 1 << 14), flux(smooth)->v.g, 0.01 * flux(smooth)->v.g);
 }
 
+TEST(SpotLight, AConeOfAHalfTurnIsAPointLight) {
+  const SpotLight open{.inner_angle = float(kPi), .outer_angle = float(kPi)};
+  for (const Point3 x : {Point3(1, 2, 3), Point3(0, 0, 2), Point3(0, 0, -2), Point3(0.1f, 0, 5)})
+    EXPECT_FLOAT_EQ(sample(open, x).e_perp.v.g, sample(PointLight{}, x).e_perp.v.g);
+}
+
+TEST(SpotLight, AConeOfNothingIsDarkAndFinite) {
+  for (const float exponent : {0.0f, -2.0f, 1e6f}) {
+    const SpotLight closed{.inner_angle = 0, .outer_angle = 0, .exponent = exponent};
+    EXPECT_EQ(sample(closed, at_angle(0.01f)).e_perp.v.g, 0);
+    EXPECT_TRUE(is_finite(sample(closed, {0, 0, 0}).e_perp.v)) << "at the lamp itself";
+    EXPECT_TRUE(is_finite(flux(closed)->v));
+  }
+}
+
 }  // namespace
 }  // namespace aktina

@@ -100,6 +100,48 @@ TEST(Ies, TypesAAndBKeepTheFluxOfAnEvenHemisphere) {
   }
 }
 
+/// A file of type A (3) or B (2) with one bright direction: 100 cd at horizontal 30, vertical 20 degrees.
+Luminaire one_direction(const char* type) {
+  std::string text = std::string("TILT=NONE\n1 -1 1 19 19 ") + type + " 2 0 0 0\n1 1 1\n";
+  for (int axis = 0; axis < 2; ++axis)
+    for (int a = -90; a <= 90; a += 10) text += std::to_string(a) + " ";
+  text += "\n";
+  for (int h = -90; h <= 90; h += 10)
+    for (int v = -90; v <= 90; v += 10) text += h == 30 && v == 20 ? "100 " : "0 ";
+  return ies(text);
+}
+
+TEST(Ies, TypesAAndBTurnAboutTheirOwnAxes) {
+  const double h = 30 * kPi / 180, v = 20 * kPi / 180;
+  // x: length axis, C0; y: width axis, C90; z: straight out
+  const Vec3d b(std::cos(h) * std::sin(v), std::sin(h), std::cos(h) * std::cos(v));
+  const Vec3d a(std::sin(v), std::cos(v) * std::sin(h), std::cos(v) * std::cos(h));
+  for (const auto& [type, bright] : {std::pair("2", b), std::pair("3", a)}) {
+    const Luminaire l = one_direction(type);
+    const auto towards = [&](Vec3d d) { return intensity(*l.table, {0, 0, 1}, {1, 0, 0}, Vec3(d)); };
+    // the frame of intensity(): C90 is cross(c0, axis)
+    const auto at = [&](double x, double y, double z) { return towards({x, -y, z}); };
+    EXPECT_GT(at(bright.x, bright.y, bright.z), 60) << type << ": interpolated between the new directions";
+    EXPECT_LT(at(bright.x, bright.y, bright.z), 100.1f) << type;
+    EXPECT_EQ(at(-bright.x, bright.y, bright.z), 0) << type;
+    EXPECT_EQ(at(bright.x, -bright.y, bright.z), 0) << type;
+    const PeakIntensity most = peak(*l.table);
+    EXPECT_NEAR(most.gamma, std::acos(bright.z) * 180 / kPi, 3) << type;
+    EXPECT_NEAR(most.c, std::atan2(bright.y, bright.x) * 180 / kPi, 3) << type;
+  }
+}
+
+TEST(Ies, HalfOfTypeBStandsForBothSides) {
+  const Luminaire l = ies("TILT=NONE\n1 -1 1 3 3 2 2 0 0 0\n1 1 1\n0 45 90\n0 45 90\n1 2 3 4 5 6 7 8 9\n");
+  for (const float gamma : {20.0f, 60.0f})
+    for (const float c : {10.0f, 40.0f, 80.0f}) {
+      const float expected = intensity(*l.table, c, gamma);
+      EXPECT_NEAR(intensity(*l.table, 180 - c, gamma), expected, 1e-3f);
+      EXPECT_NEAR(intensity(*l.table, 180 + c, gamma), expected, 1e-3f);
+      EXPECT_NEAR(intensity(*l.table, 360 - c, gamma), expected, 1e-3f);
+    }
+}
+
 TEST(Ies, FaultsSayTheirLine) {
   EXPECT_NE(error_of("").find("no TILT"), std::string::npos);
   const std::string tilt = "TILT=NONE\n";

@@ -16,7 +16,6 @@ namespace {
 constexpr float kFoot = 0.3048f;  // m
 constexpr uint64_t kMostAngles = 100'000, kMostValues = 10'000'000;
 constexpr uint64_t kLargestTilt = 1 << 20;  // bytes of a file of tilt factors
-constexpr float kStep = 2.5f;               // degrees, of types A and B resampled
 
 /// The numbers of type A and B: horizontal and vertical angles about a horizontal axis of the luminaire.
 struct Grid {
@@ -155,24 +154,33 @@ class IesReader {
     out_.table = std::move(table);
   }
 
-  /// Type B: about the luminaire's length axis (here y = C90), type A about the axis across it, the vertical one. In
-  /// both the vertical angle rises from the plane of the horizontal ones; only half of a symmetric one is stored.
+  /// Type B: the poles are on the width axis (y, C90), the vertical angle turns about it and the horizontal one leads
+  /// to the pole. Type A: the poles are on the length axis (x, C0), the horizontal angle turns about it and the
+  /// vertical one leads to the pole. (0, 0) is gamma = 0 in both; only half of a symmetric distribution is stored.
   PhotometricTable resampled() {
     mirror_half(grid_.horizontal, true), mirror_half(grid_.vertical, false);
     PhotometricTable table;
-    for (float c = 0; c <= 360; c += kStep) table.c.push_back(c);
-    for (float gamma = 0; gamma <= 180; gamma += kStep) table.gamma.push_back(gamma);
+    const float step = std::min(finest(grid_.horizontal), finest(grid_.vertical));
+    const int steps = step < 0.9f ? 720 : step < 2.4f ? 360 : 144;  // 0.5, 1 or 2.5 degrees
+    for (int i = 0; i <= steps; ++i) table.c.push_back(360.0f * float(i) / float(steps));
+    for (int i = 0; i <= steps / 2; ++i) table.gamma.push_back(360.0f * float(i) / float(steps));
     for (const float c : table.c)
       for (const float gamma : table.gamma) {
         const double g = double(gamma) * kPi / 180, a = double(c) * kPi / 180;
         const double x = std::sin(g) * std::cos(a), y = std::sin(g) * std::sin(a), z = std::cos(g);
-        // B: horizontal angle from y towards x ..; A: the roles of the axes change
         const double pole = type_ == 2 ? y : x, side = type_ == 2 ? x : y;
         const double vertical = type_ == 2 ? std::atan2(side, z) : std::asin(std::clamp(pole, -1.0, 1.0));
         const double horizontal = type_ == 2 ? std::asin(std::clamp(pole, -1.0, 1.0)) : std::atan2(side, z);
         table.candela.push_back(at(float(horizontal * 180 / kPi), float(vertical * 180 / kPi)));
       }
     return table;
+  }
+
+  /// Least distance of neighbours, degrees; 90 where there is one angle only.
+  static float finest(const std::vector<float>& angles) {
+    float least = 90;
+    for (size_t i = 1; i < angles.size(); ++i) least = std::min(least, std::abs(angles[i] - angles[i - 1]));
+    return least;
   }
 
   /// 0 .. 90 stands for -90 .. 90 as well.

@@ -46,7 +46,7 @@ bool is_luminaire(std::span<const uint8_t> bytes, const std::string& extension);
 /// @param aim  unit, world space: gamma = 0
 float tilt_factor(const LampTilt& tilt, Vec3 aim);
 
-/// IES LM-63 of 1986, 1991, 1995, 2002 and 2019; photometry of type A, B (resampled by 2.5 degrees) and C.
+/// IES LM-63 of 1986, 1991, 1995, 2002 and 2019; photometry of type A, B (resampled by 0.5 to 2.5 degrees) and C.
 /// @param folder  where a TILT file lies
 Luminaire read_ies(std::span<const uint8_t> bytes, const Path& folder, const std::string& where);
 Luminaire read_eulumdat(std::span<const uint8_t> bytes, const std::string& where);
