@@ -51,6 +51,14 @@ wrong here. `--reference lee_jen` turns that round.
 Times are of one machine at one moment and the smallest ones are noisy; their ratios are what to look at. Everything else
 is the same on every machine. Instructions are counted where the machine lets a program do so.
 
+## The files
+
+`report.html` is one page that needs nothing else. `report.json` (`schema_version` 1) has `columns`, each number's group, name,
+unit and meaning, and `studies`: of each its scene, settings, provenance and `methods`, with `quality`, `cost`, `operations`,
+`growth`, `energy` (of illumination models), `claims`, `pareto`, and `failure` where a method cannot draw the scene. What is
+not known is null; an infinite PSNR too. `report.csv` has the same numbers, a line a method. Times are in ms, of one thread
+(`frame_1`, `setup_1`, `pixels_1`) and of all (`frame_all`).
+
 Edge measures need six pixels across an edge, three in each triangle: on fine meshes few or none qualify, and the number
 is missing.
 """
@@ -153,7 +161,7 @@ def contact_sheet(section, width, height):
 
 
 CHART_STYLE = """<style>text{font:12px sans-serif;fill:#5d5c58}.grid{stroke:#deddd8}.axis{stroke:#5d5c58}.lead{stroke:#deddd8}
-.front{fill:none;stroke:#2a62b8;stroke-width:2}circle{stroke:#fcfcfb;stroke-width:2;fill:#8d8b84}.best circle{fill:#2a62b8}
+g text{paint-order:stroke;stroke:#fcfcfb;stroke-width:3px}.front{fill:none;stroke:#2a62b8;stroke-width:2}circle{stroke:#fcfcfb;stroke-width:2;fill:#8d8b84}.best circle{fill:#2a62b8}
 .best text{fill:#1b1b1a;font-weight:600}</style><rect width="100%" height="100%" fill="#fcfcfb"/>"""
 
 

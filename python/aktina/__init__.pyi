@@ -223,6 +223,22 @@ class Scene:
         seed: int = 0,
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> NDArray[np.float32]: ...
+    def study(
+        self,
+        family: str = "shading",
+        methods: Sequence[str] = (),
+        reference: str = "",
+        illumination: str = "phong",
+        width: int = 0,
+        height: int = 0,
+        samples: int = 16,
+        camera: int = 0,
+        rounds: int = 7,
+        growth: bool = True,
+        seed: int = 0,
+        folder: str | os.PathLike[str] = "",
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> dict[str, Any]: ...
 
 class Solution:
     scene: Scene

@@ -1,4 +1,5 @@
 """Scenes, and rays through them."""
+import json
 import os
 
 import numpy as np
@@ -143,6 +144,30 @@ class Scene:
         out = np.empty((*shape, 3), np.float32)
         _core.illuminance(self._scene, points, normals, method, int(samples), int(seed), progress, out.reshape(-1, 3))
         return out
+
+    def study(self, family="shading", methods=(), reference="", illumination="phong", width=0, height=0, samples=16,
+              camera=0, rounds=7, growth=True, seed=0, folder="", progress=None):
+        """The methods of a family on one view: how far each picture is from a reference, and what it costs.
+
+        family : "shading", "illumination", "normals", "integrator", "radiosity", "formfactor", "mesher" or "specular".
+        methods : only these, as "quadratic:perspective=1"; empty: all.
+        reference : a method of the family or an integrator; empty: the family's own (docs/study.md).
+        samples : per pixel of what is compared.  rounds : of timing.  growth : finer meshes and larger pictures too.
+        folder : where report.html, report.json and report.csv go; empty: nowhere.
+        Returns report.json's study as a dict: "methods" is a list of dicts with "quality", "cost", "claims", ...
+
+        >>> import aktina
+        >>> ball = {"shape": {"type": "sphere"}, "material": {"kd": 0.6, "ks": 0.4, "exponent": 20}}
+        >>> scene = aktina.Scene([ball], lights=[{"type": "point", "position": [2, 3, 4], "intensity": 40}])
+        >>> found = scene.study(methods=["gouraud", "phong"], width=48, samples=1, rounds=1, growth=False)
+        >>> [method["id"] for method in found["methods"]], found["methods"][1]["quality"]["rmse"]
+        (['gouraud', 'phong'], 0.0)
+        """
+        options = {"family": family, "methods": list(methods), "reference": reference, "illumination": illumination,
+                   "width": int(width), "height": int(height), "samples": int(samples), "camera": int(camera),
+                   "rounds": int(rounds), "growth": bool(growth)}
+        text = _core.study(self._scene, options, int(seed), os.fspath(folder), progress)
+        return json.loads(text)["studies"][0]
 
     def __repr__(self):
         return f"<aktina.Scene: {self.triangles} triangles>"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "aktina/illumination/model.h"
 
 namespace aktina {
@@ -40,8 +42,28 @@ TEST(StudyOperations, QuadraticNormalsNeedNoRoot) {
   EXPECT_EQ(operations_per_pixel("quadratic_normals", plan_of("quadratic_normals"), 2)->square_roots, 0);
 }
 
-TEST(StudyOperations, MethodsOnSpansSayNothingByTheirPlan) {
-  EXPECT_FALSE(operations_per_pixel("no_such", {.kind = ShadingPlan::Kind::spans}, 1));
+TEST(StudyOperations, FastPhongAddsTwiceACosine) {
+  const ShadingPlan plan = plan_of("fast_phong");
+  const Operations one = *operations_per_pixel("fast_phong", plan, 1),
+                   two = *operations_per_pixel("fast_phong", plan, 2);
+  EXPECT_EQ(two.additions - one.additions, 2 + 2 + 3 + 3) << "two cosines, each of them in three channels";
+  EXPECT_EQ(one.powers, 1) << "or a reading of a table";
+  EXPECT_EQ(one.divisions + one.square_roots, 0);
+}
+
+TEST(StudyOperations, TheMostEconomicAngularFormHasNoPower) {
+  const ShadingPlan plan = plan_of("angular_power");
+  EXPECT_EQ(operations_per_pixel("angular_power", plan, 3)->powers, 0);
+  EXPECT_LT(operations_per_pixel("angular_power", plan, 3)->multiplications,
+            operations_per_pixel("angular", plan, 3)->multiplications);
+}
+
+TEST(StudyOperations, EveryShadingMethodHasCountsUnlessTheyDependOnTheTriangle) {
+  const std::set<std::string_view> depend = {"h_test", "lai_tai", "tai_hsu"};
+  for (const ShadingRow* row : shading_methods()) {
+    const std::string id(row->info.id);
+    EXPECT_EQ(operations_per_pixel(id, plan_of(id.c_str()), 2).has_value(), !depend.contains(id)) << id;
+  }
 }
 
 }  // namespace

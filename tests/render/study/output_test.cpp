@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "aktina/base/error.h"
 #include "aktina/render/study/html.h"
@@ -78,6 +80,20 @@ TEST(StudyOutput, ThePageIsWellFormed) {
     EXPECT_EQ(count(page, open + ">") + count(page, open + " "), count(page, close)) << tag;
   }
   EXPECT_THAT(page, HasSubstr("a &lt;b&gt; &amp; &quot;c&quot;.glb")) << "names are text, not markup";
+}
+
+TEST(StudyOutput, AChartOfManyMethodsInOnePlaceKeepsItsLabelsApart) {
+  Study crowded = studies()[0];
+  for (int i = 0; i < 40; ++i) {
+    crowded.methods.push_back(crowded.methods[0]);
+    crowded.methods.back().quality.rmse = 0.01 + 1e-7 * i;
+  }
+  const std::string chart = html_chart(crowded);
+  std::set<std::string> heights;
+  const std::regex label("<circle[^>]*/><text x='[^']*' y='([^']*)'");
+  for (std::sregex_iterator at(chart.begin(), chart.end(), label), end; at != end; ++at) heights.insert((*at)[1]);
+  EXPECT_EQ(count(chart, "<circle"), 43u);
+  EXPECT_GE(heights.size(), 41u);
 }
 
 TEST(StudyOutput, NumbersAreShort) {

@@ -89,6 +89,17 @@ TEST(Study, AnyFamilyThatPicturesCanCompare) {
   EXPECT_LT(run(traced).methods[0].quality.rmse, 0.2) << "a ball alone in space is lit directly";
 }
 
+TEST(Study, EnergyOfIlluminationModels) {
+  const Study s = run(small("illumination", {"lambert", "phong"}));
+  const double kd = double(luminance(Rgb(0.6f, 0.4f, 0.2f)));
+  const Energy matt = method(s, "lambert").energy;
+  EXPECT_NEAR(matt.albedo_0, kd, 2e-3);
+  EXPECT_NEAR(matt.albedo_85, kd, 2e-2);
+  EXPECT_NEAR(matt.reciprocity_error, 0, 1e-5);
+  EXPECT_GT(method(s, "phong").energy.albedo_85, 1) << "the classic highlight makes light where it is grazed";
+  EXPECT_GT(method(s, "phong").energy.reciprocity_error, 0.1);
+}
+
 TEST(Study, TheFrontHoldsWhatNothingBeats) {
   const Study s = run(small("shading", {"flat", "gouraud", "phong"}));
   EXPECT_TRUE(method(s, "phong").best) << "without error";

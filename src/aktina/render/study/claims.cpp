@@ -98,33 +98,76 @@ Judgement loses_highlights(const Evidence& e) {
   return decide(there > all, fmt::format("RMSE {:.3g} in highlights, {:.3g} in the whole picture", there, all));
 }
 
+Judgement discontinuous(const Evidence& e) {
+  const double jump = e.method.quality.edge_jump, smooth = e.study.reference_edges.edge_jump;
+  if (!std::isfinite(jump + smooth)) return {};
+  return decide(jump > 1.5 * smooth, fmt::format("{:.3g} across edges; the reference {:.3g}", jump, smooth));
+}
+
+Judgement keeps_highlights(const Evidence& e) {
+  const MethodStudy* gouraud = e.find("gouraud");
+  const double there = e.method.quality.highlight_rmse;
+  if (!gouraud || !std::isfinite(there + gouraud->quality.highlight_rmse)) return {};
+  return decide(there < 0.5 * gouraud->quality.highlight_rmse,
+                fmt::format("RMSE {:.3g} in highlights, Gouraud's {:.3g}", there, gouraud->quality.highlight_rmse));
+}
+
+Judgement quicker_than_phong(const Evidence& e) { return costs<0, 10>(e, "phong"); }
+Judgement nearer_than_gouraud(const Evidence& e) { return nearer_than(e, "gouraud"); }
+
 constexpr Claim kClaims[] = {
-    {"shading", "flat", "shows each polygon as a facet", "gouraud1971",
-     [](const Evidence& e) {
-       const double jump = e.method.quality.edge_jump, smooth = e.study.reference_edges.edge_jump;
-       if (!std::isfinite(jump + smooth)) return Judgement{};
-       return decide(jump > 2 * smooth, fmt::format("{:.3g} across edges; the reference {:.3g}", jump, smooth));
-     }},
+    {"shading", "flat", "shows each polygon as a facet", "gouraud1971", discontinuous},
     {"shading", "gouraud", "removes the jumps between polygons", "gouraud1971", no_jumps},
     {"shading", "gouraud", "leaves Mach bands", "phong1975", mach_bands_stay},
     {"shading", "gouraud", "misses highlights within polygons", "phong1975", loses_highlights},
     {"shading", "phong", "has weaker Mach bands than Gouraud", "phong1975", weaker_mach_bands},
     {"shading", "phong", "takes six to seven times as long as Gouraud", "hearn1997",
      [](const Evidence& e) { return costs<60, 70>(e, "gouraud"); }},
-    {"shading", "quadratic", "is nearer to Phong than Gouraud is", "vlasic2002",
-     [](const Evidence& e) { return nearer_than(e, "gouraud"); }},
-    {"shading", "quadratic", "takes two additions a pixel: less than Phong, at most twice Gouraud", "vlasic2002",
+    {"shading", "quadratic_normals", "is quicker than Phong, having no square root", "szirmay2000", quicker_than_phong},
+    {"shading", "lee_jen", "costs little more than Phong", "lee2001",
+     [](const Evidence& e) { return costs<0, 12>(e, "phong"); }},
+    {"shading", "quadratic", "is nearer to Phong than Gouraud is", "szirmay2000", nearer_than_gouraud},
+    {"shading", "quadratic", "takes two additions a pixel: at most twice Gouraud's time", "szirmay2000",
      [](const Evidence& e) { return costs<0, 20>(e, "gouraud"); }},
-    {"shading", "cubic", "is nearer to Phong than quadratic shading is", "vlasic2002",
-     [](const Evidence& e) { return nearer_than(e, "quadratic"); }},
     {"shading", "seiler", "is quadratic shading in another form", "seiler1998",
      [](const Evidence& e) { return same_as(e, "quadratic"); }},
-    {"shading", "lee_jen", "costs little more than Phong", "lee2001",
-     [](const Evidence& e) { return costs<0, 15>(e, "phong"); }},
-    {"shading", "hybrid", "is cheaper than Phong", "hast2001",
-     [](const Evidence& e) { return costs<0, 10>(e, "phong"); }},
-    {"shading", "quadratic_normals", "is cheaper than Phong, without a square root", "hast2001",
-     [](const Evidence& e) { return costs<0, 10>(e, "phong"); }},
+    {"shading", "cubic", "is nearer to Phong than quadratic shading is", "vlasic2002",
+     [](const Evidence& e) { return nearer_than(e, "quadratic"); }},
+    {"shading", "hybrid", "is quicker than Phong", "hast2001", quicker_than_phong},
+    {"shading", "fast_phong", "takes about twice as long as Gouraud", "hearn1997",
+     [](const Evidence& e) { return costs<15, 25>(e, "gouraud"); }},
+    {"shading", "fast_phong", "is quicker than Phong", "bishop1986", quicker_than_phong},
+    {"shading", "fast_phong", "is not continuous across edges", "hast2001euler", discontinuous},
+    {"shading", "spherical", "is quicker than Phong, having no square root a pixel", "mohamed2000", quicker_than_phong},
+    {"shading", "angular", "is quicker than Phong", "kuijk1989", quicker_than_phong},
+    {"shading", "angular_combined", "is quicker than the exact form", "kuijk1989",
+     [](const Evidence& e) { return costs<0, 10>(e, "angular"); }},
+    {"shading", "angular_power", "is the quickest form: two additions for a highlight", "kuijk1989",
+     [](const Evidence& e) { return costs<0, 10>(e, "angular_combined"); }},
+    {"shading", "euler", "is as quick as fast Phong", "hast2001euler",
+     [](const Evidence& e) { return costs<0, 11>(e, "fast_phong"); }},
+    {"shading", "euler", "is nearer to Phong than fence shading", "hast2001euler",
+     [](const Evidence& e) { return nearer_than(e, "fence"); }},
+    {"shading", "lin", "keeps highlights within polygons", "lin2002", keeps_highlights},
+    {"shading", "h_test", "is quicker than Phong", "harrison1988", quicker_than_phong},
+    {"shading", "h_test", "keeps highlights within polygons", "harrison1988", keeps_highlights},
+    {"shading", "cho_neumann_woo", "comes near to Phong", "cho1996", keeps_highlights},
+    {"shading", "cho_neumann_woo", "costs little more than Gouraud", "cho1996",
+     [](const Evidence& e) { return costs<0, 15>(e, "gouraud"); }},
+    {"shading", "lai_tai", "is quicker than Phong", "lai2000", quicker_than_phong},
+    {"shading", "lai_tai", "keeps highlights within polygons", "lai2000", keeps_highlights},
+    {"shading", "tai_hsu", "is quicker than Phong", "tai2002", quicker_than_phong},
+    {"shading", "overveld_highlights", "is quicker than Phong", "overveld1996", quicker_than_phong},
+    {"shading", "vlasic", "shows highlights within polygons", "vlasic2002", keeps_highlights},
+    {"shading", "brown", "is quicker than Phong", "brown1999", quicker_than_phong},
+    {"shading", "brown", "shows highlights within polygons", "brown1999", keeps_highlights},
+    {"illumination", "schlick", "is quicker than Phong's power", "schlick1994", quicker_than_phong},
+    {"normals", "angle", "is nearer to the surface than the plain mean", "thurmer1998",
+     [](const Evidence& e) { return nearer_than(e, "plain"); }},
+    {"normals", "max", "is nearer to the surface than weights by area", "max1999",
+     [](const Evidence& e) { return nearer_than(e, "area"); }},
+    {"integrator", "path", "is nearer to the light of a scene than direct light alone", "kajiya1986",
+     [](const Evidence& e) { return nearer_than(e, "direct"); }},
 };
 
 /// Where a method that is meant to be quicker than Phong is not.

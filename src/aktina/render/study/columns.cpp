@@ -83,6 +83,15 @@ constexpr StudyColumn kColumns[] = {
      [](M m) { return m.growth.error_over_triangles; }},
     {Group::growth, "time_over_pixels", "1", "time over pixels", "slope of the log-log line",
      [](M m) { return m.growth.time_over_pixels; }},
+
+    {Group::energy, "albedo_0", "1", "albedo, 0°", "share of a white furnace's light that is seen, looking straight on",
+     [](M m) { return m.energy.albedo_0; }},
+    {Group::energy, "albedo_60", "1", "60°", "the same at 60 degrees", [](M m) { return m.energy.albedo_60; }},
+    {Group::energy, "albedo_85", "1", "85°", "the same at 85 degrees; above 1 the model makes light",
+     [](M m) { return m.energy.albedo_85; }},
+    {Group::energy, "reciprocity_error", "1", "reciprocity error",
+     "largest relative difference between both ways along a path; 0: Helmholtz reciprocity holds",
+     [](M m) { return m.energy.reciprocity_error; }},
 };
 
 }  // namespace

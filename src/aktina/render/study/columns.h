@@ -9,7 +9,7 @@
 namespace aktina {
 
 struct StudyColumn {
-  enum class Group { quality, cost, operations, growth };
+  enum class Group { quality, cost, operations, growth, energy };
   Group group;
   std::string_view name;   // in JSON and CSV
   std::string_view unit;   // "1", "dB", "ms", "ns"

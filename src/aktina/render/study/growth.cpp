@@ -107,7 +107,6 @@ void over_size(StudyWork& work, double scale) {
     if (!all[i]) continue;
     work.study.methods[i].growth.over_pixels.push_back(
         point(time[i], triangle_count(work.scene), uint64_t(width) * uint64_t(height)));
-    work.progress.advance();
   }
 }
 
@@ -153,7 +152,9 @@ void measure_growth(StudyWork& work) {
   }
   std::vector<double> scales = {0.5, 1};
   if (std::max(work.width, work.height) * 2 <= kLargestSide) scales.push_back(2);
-  work.progress.begin("growing", "measurements", (levels.size() + scales.size()) * work.study.methods.size());
+  const size_t frames = size_t(std::min(kRounds, work.options.rounds) + 1);
+  work.progress.begin("growing", "measurements",
+                      ((levels.size() + scales.size()) * frames + levels.size()) * work.study.methods.size());
   for (const Scene* level : levels) over_level(work, *level);
   for (const double scale : scales) over_size(work, scale);
   for (MethodStudy& m : work.study.methods) fit(m.growth);

@@ -35,6 +35,7 @@ svg .front { fill: none; stroke: var(--front); stroke-width: 2; }
 svg .lead { stroke: var(--line); }
 svg circle { stroke: var(--page); stroke-width: 2; }
 svg .best circle { fill: var(--front); } svg .other circle { fill: var(--other); }
+svg g text { paint-order: stroke; stroke: var(--page); stroke-width: 3px; }
 svg .best text { fill: var(--ink); font-weight: 600; } svg .other text { fill: var(--soft); }
 .stage { position: relative; width: fit-content; max-width: 100%; line-height: 0; }
 .stage img { max-width: 100%; height: auto; }

@@ -9,7 +9,7 @@ namespace aktina {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 420, kLeft = 70, kRight = 150, kTop = 16, kBottom = 52;
-constexpr double kLabelHeight = 14;
+constexpr double kLabelWidth = 126, kLabelHeight = 14;
 
 struct Point {
   const MethodStudy* method;
@@ -33,12 +33,15 @@ Axis axis_over(const std::vector<double>& values, double from, double to) {
 }
 
 std::vector<double> ticks(const Axis& axis) {
-  const bool dense = axis.high - axis.low < 2.2;
+  const double range = axis.high - axis.low;
+  const std::vector<double> steps = range > 2.2   ? std::vector<double>{1}
+                                    : range > 0.9 ? std::vector<double>{1, 2, 5}
+                                                  : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8};
   std::vector<double> values;
   for (double decade = std::floor(axis.low); decade <= axis.high; ++decade)
-    for (const double step : {1.0, 2.0, 5.0}) {
+    for (const double step : steps) {
       const double value = step * std::pow(10, decade), l = std::log10(value);
-      if (l >= axis.low && l <= axis.high && (dense || step == 1)) values.push_back(value);
+      if (l >= axis.low && l <= axis.high) values.push_back(value);
     }
   return values;
 }
@@ -66,19 +69,17 @@ std::string axes(const Axis& x, const Axis& y, bool zero) {
   return out;
 }
 
-/// Labels stand right of their points, moved apart where they would lie on each other.
+/// Labels stand right of their points, each moved down below those before it that it would lie on.
 void place_labels(std::vector<Point>& points) {
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
   for (size_t i = 0; i < points.size(); ++i) {
-    points[i].label = points[i].y;
-    for (bool moved = true; moved;) {
-      moved = false;
+    Point& own = points[i];
+    own.label = own.y;
+    for (size_t tries = 0; tries <= i; ++tries)  // as often as there are labels that can be in the way
       for (size_t j = 0; j < i; ++j) {
-        const bool apart = std::abs(points[j].x - points[i].x) > 7.0 * 18 ||
-                           std::abs(points[j].label - points[i].label) >= kLabelHeight;
-        if (!apart) points[i].label = points[j].label + kLabelHeight, moved = true;
+        const bool beside = std::abs(points[j].x - own.x) > kLabelWidth;
+        if (!beside && std::abs(points[j].label - own.label) < kLabelHeight) own.label = points[j].label + kLabelHeight;
       }
-    }
   }
 }
 

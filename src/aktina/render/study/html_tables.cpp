@@ -100,6 +100,9 @@ std::string html_tables(const Study& study) {
   out += "<h3>Cost</h3>" + table(study, Group::cost, "");
   if (!study.counts_instructions)
     out += "<p>Instructions are not shown: this machine does not let programs count them, or the family is traced.</p>";
+  if (study.family == "illumination")
+    out += "<h3>Energy</h3><p>Of the model with the coefficients of the scene's first material.</p>" +
+           table(study, Group::energy, "");
   if (study.family == "shading") out += "<h3>Operations</h3>" + table(study, Group::operations, "");
   if (!study.methods.front().growth.over_pixels.empty())
     out += "<h3>Growth</h3>" + table(study, Group::growth, "") + growth_points(study);

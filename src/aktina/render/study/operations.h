@@ -15,11 +15,10 @@ struct Operations {
   friend bool operator==(const Operations&, const Operations&) = default;
 };
 
-/// Of a pixel, for colours of three channels. What happens within an evaluation of the model is not taken apart, but
-/// for its powers.
-/// @param powers  of one evaluation, of all lights together
-/// @return  nothing for methods on spans that no source states
-std::optional<Operations> operations_per_pixel(std::string_view shading, const ShadingPlan& plan, double powers);
+/// Of a pixel, for colours of three channels. Within an evaluation of the model only powers are counted.
+/// @param lamps  each costs one power in an evaluation of Phong's or Blinn's model
+/// @return  nothing where the work depends on the triangle, as with tests for highlights
+std::optional<Operations> operations_per_pixel(std::string_view shading, const ShadingPlan& plan, double lamps);
 
 /// Of a triangle's set-up: the model's evaluations at its lattice, and the coefficients of its polynomials.
 std::optional<Operations> operations_per_triangle(std::string_view shading, const ShadingPlan& plan);

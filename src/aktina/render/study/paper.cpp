@@ -52,6 +52,7 @@ Scene lit(const std::string& name, Mesh mesh, Point3 eye, bool double_sided) {
   scene.lights.push_back({"key", PointLight{{3, 4, 5}, Intensity(Rgb(60)), {}}, -1});
   scene.lights.push_back({"fill", PointLight{{-5, 1, 3}, Intensity({12, 16, 22}), {}}, -1});
   scene.ambient = Rgb(0.5f);
+  scene.background = Radiance(Rgb(0.02f));
   scene.cameras.push_back(look_at(eye, {0, 0, 0}, {0, 1, 0}, 0.6f));
   scene.cameras[0].aspect = 4.0f / 3;
   return scene;
@@ -70,7 +71,7 @@ std::vector<PaperScene> paper_scenes() {
   return {series("sphere", sphere, {1, 2, 4, 8}, {0, 0.6f, 3.8f}),
           series("torus", torus, {1, 2, 4, 8}, {0, -1.2f, 3.6f}),
           series("strip", strip, {3, 9, 27, 81}, {0.6f, 1.9f, 3.4f}, true),
-          series("teapot", teapot, {3, 6, 12, 24}, {0.4f, 1.3f, 3.2f}, true)};
+          series("teapot", teapot, {3, 6, 12, 24}, {0.35f, 1.1f, 2.7f}, true)};
 }
 
 std::vector<Study> study_paper(const StudyOptions& options, Progress& progress) {

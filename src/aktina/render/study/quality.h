@@ -30,9 +30,9 @@ class SmoothEdges {
   size_t size() const { return places_.size(); }
   uint64_t covered_pixels() const { return covered_; }
 
-  /// edge_jump: root of the mean square of the difference between the luminances at the edge, mach_band: the same of the
-  /// derivatives, per pixel; each from the parabola through the pixels on its own side, so that a smooth picture has
-  /// neither up to third order.
+  /// edge_jump: root of the mean square of the difference between the luminances at the edge, mach_band: the same of
+  /// the derivatives, per pixel; each from the parabola through the pixels on its own side, so that a smooth picture
+  /// has neither up to third order.
   /// @param picture  of the same view, one sample a pixel, cd/m^2
   void measure(const Image& picture, float exposure, Quality& out) const;
 

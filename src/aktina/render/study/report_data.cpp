@@ -31,6 +31,8 @@ std::string_view word(StudyColumn::Group group) {
       return "operations";
     case StudyColumn::Group::growth:
       return "growth";
+    case StudyColumn::Group::energy:
+      return "energy";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
+#include "aktina/illumination/energy.h"
 #include "aktina/image/tone_map.h"
 #include "aktina/raster/shading/shading_method.h"
 #include "aktina/render/catalogue.h"
@@ -16,6 +17,7 @@
 #include "aktina/render/study/instructions.h"
 #include "aktina/render/study/quality.h"
 #include "aktina/render/study/timing.h"
+#include "aktina/scene/scene_lights.h"
 #include "aktina/scene/tessellate.h"
 
 namespace aktina {
@@ -145,9 +147,27 @@ void count_operations(const StudyWork& work, MethodStudy& m) {
   const IlluminationModel model = make_method(illumination_models(), "illumination", work.options.illumination);
   const Illuminator light(model, Surface(), {}, Rgb(0), Viewer());
   const ShadingPlan plan = method->plan(light);
-  const bool has_power = std::holds_alternative<Phong>(model) || std::holds_alternative<BlinnPhong>(model);
-  m.cost.pixel_operations = operations_per_pixel(m.id, plan, has_power ? double(work.scene.lights.size()) : 0);
+  m.cost.pixel_operations = operations_per_pixel(m.id, plan, double(scene_lights(work.scene).lights.size()));
   m.cost.triangle_operations = operations_per_triangle(m.id, plan);
+}
+
+Energy energy_of(const std::string& choice, const Surface& surface) {
+  const IlluminationModel model = make_method(illumination_models(), "illumination", choice);
+  const auto seen = [&](double degrees) {
+    return double(luminance(albedo(model, surface, float(std::cos(degrees * kPi / 180)))));
+  };
+  return {seen(0), seen(60), seen(85), double(reciprocity_error(model, surface).error)};
+}
+
+void measure_energy(StudyWork& work) {
+  if (work.scene.instances.empty()) return;
+  const Surface surface = surface_of(work.scene.material_of(work.scene.instances[0]));
+  work.progress.begin("measuring energy", "models", work.study.methods.size());
+  for (MethodStudy& m : work.study.methods) {
+    work.progress.throw_if_cancelled();
+    m.energy = energy_of(m.choice, surface);
+    work.progress.advance();
+  }
 }
 
 void measure_cost(StudyWork& work) {
@@ -217,6 +237,7 @@ void measure(StudyWork& work) {
   measure_cost(work);
   work.study.report.time("time", watch.lap());
   find_best(work.study.methods);
+  if (work.family.id == "illumination") measure_energy(work);
   if (work.options.growth && work.family.rasterized) measure_growth(work);
   work.study.report.time("grow", watch.lap());
 }

@@ -60,6 +60,12 @@ struct Cost {
   std::optional<Operations> pixel_operations, triangle_operations;  // by the published form
 };
 
+/// Of an illumination model, with the coefficients of the scene's first material (illumination/energy.h).
+struct Energy {
+  double albedo_0 = kUnknown, albedo_60 = kUnknown, albedo_85 = kUnknown;  // luminance; seen at that many degrees
+  double reciprocity_error = kUnknown;                                     // 0: both ways along a path count the same
+};
+
 /// One step of a sweep.
 struct GrowthPoint {
   uint64_t triangles = 0, pixels = 0;
@@ -86,6 +92,7 @@ struct MethodStudy {
   Quality quality;
   Cost cost;
   Growth growth;
+  Energy energy;  // family "illumination"
   std::vector<ClaimResult> claims;
   bool best = false;  // on the Pareto front: none of the others is both quicker and nearer to the reference
 };

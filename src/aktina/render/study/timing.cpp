@@ -43,6 +43,7 @@ std::vector<FrameTime> race(std::span<const Variant* const> variants, const Came
   for (int round = -1; round < rounds; ++round)
     for (Contender& contender : all) {
       contender.draw(progress, round >= 0);
+      progress.advance();
       progress.throw_if_cancelled();
     }
   std::vector<FrameTime> times;
