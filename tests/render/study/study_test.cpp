@@ -96,8 +96,11 @@ TEST(Study, EnergyOfIlluminationModels) {
   EXPECT_NEAR(matt.albedo_0, kd, 2e-3);
   EXPECT_NEAR(matt.albedo_85, kd, 2e-2);
   EXPECT_NEAR(matt.reciprocity_error, 0, 1e-5);
-  EXPECT_GT(method(s, "phong").energy.albedo_85, 1) << "the classic highlight makes light where it is grazed";
-  EXPECT_GT(method(s, "phong").energy.reciprocity_error, 0.1);
+  const Energy shiny = method(s, "phong").energy;
+  EXPECT_NEAR(shiny.albedo_0, kd + 0.5 * 2 / (20 + 1), 3e-3)
+      << "ks times the integral of cos^n / pi over the hemisphere";
+  EXPECT_LT(shiny.albedo_85, shiny.albedo_0) << "half of the lobe is below the horizon";
+  EXPECT_GT(shiny.reciprocity_error, 0.1);
 }
 
 TEST(Study, TheFrontHoldsWhatNothingBeats) {
