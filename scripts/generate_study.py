@@ -50,7 +50,8 @@ wrong here. `--reference lee_jen` turns that round.
 | growth | slopes of log-log lines over finer meshes and larger pictures |
 
 Times are of one machine at one moment and the smallest ones are noisy; their ratios are what to look at. Everything else
-is the same on every machine. Instructions are counted where the machine lets a program do so.
+is the same on every machine. The times below were taken beside other work on two cores: a method can be disturbed in
+every round, and a time that falls out of its family's line (tens of milliseconds) is such a case. Instructions are counted where the machine lets a program do so.
 
 ## The files
 
