@@ -306,6 +306,7 @@ class LeafPair {
     if (uncertain <= 0.5 * wanted) return {first.seen() / first.whole, uncertain};
     if (first.high - first.low > 2 * std::max(wanted, 1e-3) * first.whole && !exact) return {0, 1};
     cells_left_ = kMostCells;
+    least_halvings_ = wanted < 1e-5 ? 2 : wanted < 1e-3 ? 1 : 0;  // two sums may agree by chance
     Shares sum;
     double error = uniform ? 0.04 * kBetweenPoints * first.whole : 0;
     for (size_t k = 0; k < cells.size(); ++k) refine(cells[k], coarse[k], 0.5 * wanted * first.whole, 0, sum, error);
@@ -320,8 +321,8 @@ class LeafPair {
     // Of the share, for the rule that both sums follow is not exact for the unobstructed factor either.
     const double difference =
         std::abs(fine.seen() - (coarse.whole > 0 ? coarse.seen() / coarse.whole * fine.whole : 0));
-    if (difference <= allowed || halvings == kMostHalvings || cells_left_ == 0) {
-      sum += fine, error += 0.5 * difference;  // kinks, at worst: half of the difference is left
+    if ((difference <= allowed && halvings >= least_halvings_) || halvings == kMostHalvings || cells_left_ == 0) {
+      sum += fine, error += difference;
       return;
     }
     for (int k = 0; k < 4; ++k) refine(cell.quarter(k), quarters[size_t(k)], 0.5 * allowed, halvings + 1, sum, error);
@@ -372,6 +373,7 @@ class LeafPair {
   SourcePolygon<T> polygon_{};
   uint32_t source_index_ = 0;
   bool exact_ = false;
+  int least_halvings_ = 0;
   std::vector<SurfaceSample> samples_;
   std::vector<ReceiverPoint<T>> points_;
 };

@@ -167,8 +167,8 @@ HWY_INLINE hn::Vec<D> covered(D d, const View<D>& source, const Three<hn::Vec<D>
     side = {side.x * seen, side.y * seen, side.z * seen};
     hn::Vec<D> heights[kMostSource];
     for (int e = 0; e < source.count; ++e) heights[e] = dot(side, source.corners[e]);
-    auto highest = heights[0];
-    for (int e = 1; e < source.count; ++e) highest = hn::Max(highest, heights[e]);
+    auto highest = zero;
+    for (int e = 0; e < source.count; ++e) highest = hn::Max(highest, heights[e]);
     if (hn::AllFalse(d, highest > zero)) return zero;  // the source is beside the polygon for all points
     for (int e = 0; e < source.count; ++e)
       cut(d, heights[e], heights[e + 1 == source.count ? 0 : e + 1], from[e], to[e]);
