@@ -77,7 +77,7 @@ TEST(Scene, HashSeesWhatAPictureSees) {
 
 TEST(Scene, MaterialOfAnInstance) {
   Scene scene = one_triangle();
-  EXPECT_EQ(diffuse_reflectance(scene.material_of(scene.instances[0])), Rgb(0.8f));
+  EXPECT_EQ(matt_reflectance(scene.material_of(scene.instances[0])), Rgb(0.8f));
   scene.materials.resize(2);
   scene.materials[0].name = "mesh", scene.materials[1].name = "instance";
   scene.meshes[0].material = 0;

@@ -79,7 +79,7 @@ Json materials_json(const Scene& scene) {
     const Material& m = scene.materials[i];
     list.push_back({{"name", m.name},
                     {"uses", uses[i]},
-                    {"reflectance", luminance(diffuse_reflectance(m))},
+                    {"reflectance", luminance(matt_reflectance(m))},
                     {"emits", m.emits()},
                     {"textured", bool(m.base_texture)},
                     {"double_sided", m.double_sided}});

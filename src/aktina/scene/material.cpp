@@ -22,16 +22,23 @@ float phong_exponent(float roughness) {
 }
 float squared_alpha(float exponent) { return 1 / (2 * std::max(exponent, 0.0f) + 1); }
 
+Rgb normal_reflectance(const Surface& s) {
+  return clamp_unit(dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic);
+}
+/// Share of what facets reflect that is a sharp picture.
+float sharpness(const Surface& s) {
+  return std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
+}
+
 /// Fills the classic coefficients from the physical ones.
 void derive_classic(Surface& s) {
-  const Rgb f0 = clamp_unit(dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic);
+  const Rgb f0 = normal_reflectance(s);
   const Rgb body = s.base * (1 - s.metallic);
   s.exponent = phong_exponent(s.roughness);
   s.kd = clamp_unit(body * (1 - s.transmission));
   s.ks = clamp_unit(f0 * (0.25f / squared_alpha(s.exponent)));
-  const float sharp = std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
-  s.kr = f0 * sharp;
-  s.ka = clamp_unit(s.kd + f0 * (1 - sharp));
+  s.kr = f0 * sharpness(s);
+  s.ka = matt_reflectance(s);
   s.kt = clamp_unit(body * s.transmission * (Rgb(1) - f0));
 }
 
@@ -58,6 +65,11 @@ float visible_alpha(const Material& m, float alpha) {
 Rgb rgb(Vec4 v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
+
+Rgb matt_reflectance(const Surface& s) {
+  const Rgb gloss = normal_reflectance(s) * (1 - sharpness(s));
+  return clamp_unit(s.kd * (Rgb(1) - gloss) + gloss);
+}
 
 Surface surface_of(const Material& material) {
   Surface s = physical(material);
@@ -120,6 +132,6 @@ Material material_of(const ClassicMaterial& classic) {
   return m;
 }
 
-Rgb diffuse_reflectance(const Material& material) { return clamp_unit(surface_of(material).kd); }
+Rgb matt_reflectance(const Material& material) { return matt_reflectance(surface_of(material)); }
 
 }  // namespace aktina

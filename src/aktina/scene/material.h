@@ -65,7 +65,9 @@ MaterialPoint evaluate(const Scene& scene, const Material& material, const Vec2 
 Surface surface_of(const Material& material);
 Material material_of(const ClassicMaterial& classic);
 
-/// Diffuse reflectance (rho) and transmittance (tau) that radiosity uses, without textures; rho + tau <= 1.
-Rgb diffuse_reflectance(const Material& material);
+/// Reflectance of a surface as if all that it scatters, but for sharp pictures, were scattered evenly: its body and its
+/// gloss. What radiosity exchanges, and what even light from all around brings back.
+Rgb matt_reflectance(const Surface& surface);
+Rgb matt_reflectance(const Material& material);  // without textures
 
 }  // namespace aktina

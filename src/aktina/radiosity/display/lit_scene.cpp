@@ -18,7 +18,7 @@ Material unlit_material(const Material& m) {
   lit.alpha = m.alpha, lit.alpha_mode = m.alpha_mode, lit.alpha_cutoff = m.alpha_cutoff;
   if (m.emits()) return lit;  // vertex colours carry the radiance
   lit.base_texture = m.base_texture;
-  lit.base_colour = diffuse_reflectance(m);
+  lit.base_colour = matt_reflectance(m);
   return lit;
 }
 

@@ -29,7 +29,7 @@ PatchMaterial PatchMaterials::at(const SurfacePoint& place) const {
   if (!uniform_) uv[0] = faces_.uv(place, 0), uv[1] = faces_.uv(place, 1), colour = faces_.colour(place);
   const MaterialPoint point = evaluate(scene_, material_, uv, colour);
   PatchMaterial m;
-  m.reflectance = point.surface.kd * point.alpha;
+  m.reflectance = matt_reflectance(point.surface) * point.alpha;
   m.transmittance = point.surface.kt * point.alpha + Rgb(1 - point.alpha);
   m.emission = lambertian_radiosity(point.emission * point.alpha);
   return m;

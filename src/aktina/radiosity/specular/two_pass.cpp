@@ -82,7 +82,7 @@ class Tile {
     }
     sums_[path.query] += path.throughput * point.emission.v;
     const bool lit = point.front || point.material->double_sided;  // the backs of others are black
-    const Rgb matt = point.surface->kd;
+    const Rgb matt = is_black(point.surface->kd) ? Rgb(0) : matt_reflectance(*point.surface);
     if (lit && !is_black(matt)) {
       sums_[path.query] += path.throughput * matt * indirect(point, hit) * float(kInvPi);
       add_direct(path, point, matt);
