@@ -143,6 +143,8 @@ constexpr Option kOptions[] = {
      .max = 16777216},
     kSeed,
     kUnits,
+    kNormals,
+    kCrease,
 };
 constexpr Example kExamples[] = {
     {"average and uniformity on desks, with a plan in false colours",

@@ -35,11 +35,27 @@ float read_exposure(const std::string& text) {
   return value;
 }
 
+/// "1,0.2"
+DepthCue read_depth_cue(const std::string& text) {
+  DepthCue cue;
+  if (text.empty()) return cue;
+  const char *const end = text.data() + text.size(), *const comma = std::find(text.data(), end, ',');
+  const auto number = [&](const char* from, const char* to, float& value) {
+    const auto parsed = std::from_chars(from, to, value);
+    return parsed.ec == std::errc() && parsed.ptr == to;
+  };
+  if (comma == end || !number(text.data(), comma, cue.k1) || !number(comma + 1, end, cue.k2))
+    throw Error(Code::usage, "--depth-cue", fmt::format("'{}' is not two numbers", text), "K1,K2, as 1,0.2");
+  check(cue);
+  return cue;
+}
+
 RenderOptions read_options(const Arguments& arguments) {
   RenderOptions options;
   options.method = arguments.text("method");
   options.shading = arguments.text("shading");
   options.illumination = arguments.text("illumination");
+  options.depth_cue = read_depth_cue(arguments.text("depth-cue"));
   options.samples = int(arguments.whole("samples"));
   options.seed = uint32_t(arguments.whole("seed"));
   options.radiosity = radiosity_options(arguments);
@@ -107,6 +123,10 @@ constexpr Option kPictureOptions[] = {
      .value = "METHOD",
      .fallback = "phong",
      .family = "illumination"},
+    {.name = "depth-cue",
+     .help = "of raster and whitted: diffuse and specular light times 1 / (K1 + K2 d), d metres from the eye's plane",
+     .kind = Kind::text,
+     .value = "K1,K2"},
     {.name = "size",
      .help = "of the picture in pixels; 960x: the height follows from the camera (default 960x)",
      .kind = Kind::text,

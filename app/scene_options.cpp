@@ -13,7 +13,10 @@ namespace aktina::app {
 LoadedScene load(const Arguments& arguments, const Session& session) {
   Stopwatch watch;
   LoadedScene loaded;
-  loaded.scene = load_scene(arguments.text("scene"), {.metres_per_unit = arguments.number("units")});
+  const std::string& normals = arguments.text("normals");
+  loaded.scene = load_scene(arguments.text("scene"), {.metres_per_unit = arguments.number("units"),
+                                                      .normals = normals == "file" ? "" : normals,
+                                                      .crease = float(arguments.number("crease") * kPi / 180)});
   loaded.seconds = watch.lap();
   session.show_warnings(loaded.scene.warnings);
   return loaded;

@@ -25,6 +25,22 @@ inline constexpr Option kUnits = {.name = "units",
                                   .min = 0,
                                   .max = 1e6};
 
+inline constexpr std::string_view kNormalsOfFile[] = {"file"};
+inline constexpr Option kNormals = {.name = "normals",
+                                    .help = "vertex normals made anew from the facets; file: those that it has",
+                                    .kind = Kind::method,
+                                    .value = "METHOD",
+                                    .fallback = "file",
+                                    .choices = kNormalsOfFile,
+                                    .family = "normals"};
+inline constexpr Option kCrease = {.name = "crease",
+                                   .help = "edges sharper than this stay sharp where normals are made, in degrees",
+                                   .kind = Kind::number,
+                                   .value = "DEGREES",
+                                   .fallback = "30",
+                                   .min = 0,
+                                   .max = 180};
+
 inline constexpr Option kSeed = {.name = "seed",
                                  .help = "of the random numbers",
                                  .kind = Kind::whole,
@@ -98,6 +114,8 @@ inline constexpr Option kRadiosityOptions[] = {
      .max = 1e15},
     kSeed,
     kUnits,
+    kNormals,
+    kCrease,
 };
 RadiosityOptions radiosity_options(const Arguments& arguments);
 

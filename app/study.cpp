@@ -44,7 +44,7 @@ std::string summary(const Study& study) {
   std::string text =
       fmt::format("{:<28} {:>10} {:>10} {:>12}\n", study.scene + ": " + study.family, "RMSE", "FLIP", "ms a frame");
   for (const MethodStudy& m : study.methods) {
-    const double ms = m.cost.times.empty() ? kUnknown : m.cost.times[0].seconds * 1e3;
+    const double ms = m.cost.times.empty() ? kNotMeasured : m.cost.times[0].seconds * 1e3;
     text += m.failure.empty() ? fmt::format("{:<28} {:>10.4g} {:>10.4g} {:>12.4g}{}\n", m.choice, m.quality.rmse,
                                             m.quality.flip, ms, m.best ? "  *" : "")
                               : fmt::format("{:<28} {}\n", m.choice, m.failure);
@@ -140,6 +140,8 @@ constexpr Option kStudyOptions[] = {
     {.name = "camera", .help = "by name, or by number from 0 (default the first)", .kind = Kind::text, .value = "NAME"},
     kSeed,
     kUnits,
+    kNormals,
+    kCrease,
 };
 constexpr Example kExamples[] = {
     {"every shading method on a model", "aktina study teapot.obj -o report/"},

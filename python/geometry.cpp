@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "aktina/illumination/normals/normals.h"
+#include "aktina/scene/mesh.h"
 #include "aktina/trace/primitive/primitive.h"
 #include "aktina/trace/refract.h"
 #include "arrays.h"
@@ -75,6 +76,30 @@ py::object normal_of_vertex(const std::string& method, const py::buffer& vertex,
   return py::make_tuple(n.x, n.y, n.z);
 }
 
+/// (vertices, normals, triangles), vertices doubled where normals differ.
+py::tuple normals_of_mesh(const py::buffer& vertices, const py::buffer& triangles, const std::string& method,
+                          float crease) {
+  const Rows<const float> place(vertices, 3, "vertices");
+  const Rows<const uint32_t> corner(triangles, 3, "triangles");
+  Mesh mesh;
+  for (size_t i = 0; i < place.size(); ++i) mesh.positions.push_back(vec3(place.row(i)));
+  for (size_t i = 0; i < corner.size(); ++i) {
+    const uint32_t* t = corner.row(i);
+    mesh.triangles.push_back({t[0], t[1], t[2]});
+    for (const uint32_t v : mesh.triangles.back())
+      if (v >= place.size()) throw Error(Code::usage, "triangles", fmt::format("there is no vertex {}", v));
+  }
+  generate_normals(mesh, crease, make_method(normals(), "normals", method));
+  std::vector<uint32_t> corners;
+  for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  const auto triples = [](const std::vector<Vec3>& v) {
+    std::vector<float> numbers;
+    for (const Vec3 p : v) numbers.insert(numbers.end(), {p.x, p.y, p.z});
+    return array(std::move(numbers), {py::ssize_t(v.size()), 3});
+  };
+  return py::make_tuple(triples(mesh.positions), triples(mesh.normals), array(std::move(corners), {py::ssize_t(mesh.triangles.size()), 3}));
+}
+
 /// Unit directions and shares at a boundary of two media; refracted: NaN at total internal reflection.
 void refract_rays(const py::buffer& incident, const py::buffer& normals, double n1, double n2, bool whitted_form,
                   const py::buffer& refracted, const py::buffer& reflectance) {
@@ -103,6 +128,7 @@ void reflect_rays(const py::buffer& incident, const py::buffer& normals, const p
 void bind_geometry(py::module_& m) {
   m.def("intersect", &intersect_shape);
   m.def("vertex_normal", &normal_of_vertex);
+  m.def("mesh_normals", &normals_of_mesh);
   m.def("refract", &refract_rays);
   m.def("reflect", &reflect_rays);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "aktina/base/parallel.h"
+#include "aktina/illumination/energy.h"
 #include "aktina/illumination/facets.h"
 #include "aktina/illumination/light/light.h"
 #include "aktina/illumination/model.h"
@@ -49,6 +50,30 @@ void illuminate(const std::string& choice, const py::buffer& surfaces, const py:
   });
 }
 
+using Albedo = Rgb (*)(const IlluminationModel&, const Surface&, float);
+
+template <Albedo function>
+void albedo_of(const std::string& choice, const py::buffer& surfaces, const py::buffer& cosines,
+               const py::buffer& out) {
+  const IlluminationModel model = make_method(illumination_models(), "illumination", choice);
+  const Input material(surfaces, surface_row_size(), "material"), cosine(cosines, 1, "cosine");
+  const Rows<float> result(out, 3, "out");
+  const py::gil_scoped_release without_lock;
+  parallel_for(result.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Rgb a = function(model, surface(material.row_or_only(i)), *cosine.row_or_only(i));
+      for (int k = 0; k < 3; ++k) result.row(i)[k] = a[k];
+    }
+  });
+}
+
+py::tuple reciprocity_of(const std::string& choice, const py::buffer& surfaces) {
+  const IlluminationModel model = make_method(illumination_models(), "illumination", choice);
+  const Input material(surfaces, surface_row_size(), "material");
+  const Reciprocity r = reciprocity_error(model, surface(material.row(0)));
+  return py::make_tuple(r.error, py::make_tuple(r.a.x, r.a.y, r.a.z), py::make_tuple(r.b.x, r.b.y, r.b.z));
+}
+
 /// One number of the theory of facets for each angle or direction.
 void facet_distribution(const std::string& name, const py::buffer& angles, float width, const py::buffer& out) {
   using Distribution = float (*)(float, float);
@@ -89,6 +114,9 @@ void fresnel_of(const py::buffer& cosines, float eta, const py::buffer& out) {
 void bind_illumination(py::module_& m) {
   m.def("surface_fields", &surface_fields);
   m.def("illuminate", &illuminate);
+  m.def("albedo", &albedo_of<albedo>);
+  m.def("reflected_share", &albedo_of<reflected_share>);
+  m.def("reciprocity", &reciprocity_of);
   m.def("facet_distribution", &facet_distribution);
   m.def("schlick_power", &schlick_power_of);
   m.def("groove_masking", &groove_masking_of);

@@ -40,6 +40,7 @@ RenderOptions render_options(const py::dict& fields, const View& view) {
   RenderOptions o;
   FromDict field(fields, "render");
   field("method", o.method), field("shading", o.shading), field("illumination", o.illumination);
+  field("k1", o.depth_cue.k1), field("k2", o.depth_cue.k2);
   field("width", o.width), field("height", o.height), field("samples", o.samples), field("layers", o.layers);
   field.expect_all_read();
   o.camera = view.number, o.view = view.given ? &view.own : nullptr;

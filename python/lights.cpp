@@ -38,6 +38,33 @@ void fields_of(DirectionalLight& light, Visitor& field) {
   field("direction", light.direction);
   field("illuminance", light.e_perp);
 }
+template <class Visitor>
+void fields_of(WarnLight& light, Visitor& field) {
+  field("position", light.position);
+  field("direction", light.direction);
+  field("intensity", light.intensity);
+  field("exponent", light.exponent);
+  field("cone_angle", light.cone_angle);
+  field("flap_low", light.flap_low);
+  field("flap_high", light.flap_high);
+  fields_of(light.attenuation, field);
+}
+template <class Visitor>
+void fields_of(RectangleLight& light, Visitor& field) {
+  field("corner", light.corner);
+  field("edge_u", light.edge_u);
+  field("edge_v", light.edge_v);
+  field("radiance", light.radiance);
+  field("both_sides", light.both_sides);
+}
+template <class Visitor>
+void fields_of(DiscLight& light, Visitor& field) {
+  field("position", light.position);
+  field("direction", light.direction);
+  field("radius", light.radius);
+  field("radiance", light.radiance);
+  field("both_sides", light.both_sides);
+}
 /// Its table is spread out: angles "c" and "gamma" in degrees, "candela" of each, plane by plane.
 template <class Visitor>
 void fields_of(LuminaireLight& light, Visitor& field) {
@@ -56,6 +83,7 @@ void fields_of(LuminaireLight& light, Visitor& field) {
 }
 
 void normalize_direction(PointLight& /*light*/) {}
+void normalize_direction(RectangleLight& /*light*/) {}
 template <class L>
 void normalize_direction(L& light) {
   light.direction = normalize_or(light.direction, Vec3(0));

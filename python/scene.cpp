@@ -5,6 +5,7 @@
 
 #include "aktina/base/parallel.h"
 #include "aktina/import/import.h"
+#include "aktina/scene/scene_lights.h"
 #include "aktina/trace/radiance.h"
 #include "arrays.h"
 #include "camera_dict.h"
@@ -97,7 +98,7 @@ void add_object(Scene& scene, const py::dict& dict) {
   scene.instances.push_back(instance);
 }
 
-void add_light(Scene& scene, const py::dict& dict) { scene.lights.push_back({"", light_from(dict), -1}); }
+void add_light(Scene& scene, const py::dict& dict) { place_light(scene, {"", light_from(dict), -1}); }
 
 void add_camera(Scene& scene, const py::dict& dict) { scene.cameras.push_back(camera_from(dict)); }
 
@@ -177,9 +178,9 @@ void radiance_along(const SceneHandle& scene, const py::buffer& origins, const p
     for (int k = 0; k < 3; ++k) result.row(i)[k] = light[i].v[k];
 }
 
-SceneHandle load(const std::string& path) {
+SceneHandle load(const std::string& path, const std::string& normals, float crease) {
   const py::gil_scoped_release without_lock;
-  return std::make_shared<Scene>(load_scene(path));
+  return std::make_shared<Scene>(load_scene(path, {.normals = normals, .crease = crease}));
 }
 
 }  // namespace

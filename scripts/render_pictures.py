@@ -95,10 +95,19 @@ def light(methods):
         "luminaire": {"type": "luminaire", "position": [-1, 2.2, -0.6], "direction": [0, -1, 0], "c0": [1, 0, 0],
                       "c": [0], "gamma": np.degrees(gamma).tolist(), "candela": lobes.tolist()},
     }
+    lamps |= {
+        "warn": {"type": "warn", "position": [-1, 2.6, 1.2], "direction": [0.45, -1, -0.4], "intensity": 120,
+                 "exponent": 4, "cone_angle": 0.6, "flap_low": [-1e30, -1e30, -0.6], "flap_high": [0.9, 1e30, 1e30]},
+        "rectangle": {"type": "rectangle", "corner": [-1.6, 2.1, -0.4], "edge_u": [1.4, 0, 0], "edge_v": [0, 0, 0.8],
+                      "radiance": 28},
+        "disc": {"type": "disc", "position": [-1, 1.9, 0.3], "direction": [0.5, -0.8, -0.3], "radius": 0.5,
+                 "radiance": 40},
+    }
     for method in methods:
         scene = aktina.Scene([floor, wall, post], [lamps[method]],
                              camera={"position": [0, 1.2, 6], "target": [0, 0.4, 0], "vertical_fov": 0.7})
-        write("light", method, scene.render("whitted", WIDTH, HEIGHT, samples=16), 0.35)
+        way, samples = ("direct", 144) if method in ("rectangle", "disc") else ("whitted", 16)  # soft shadows
+        write("light", method, scene.render(way, WIDTH, HEIGHT, samples=samples), 0.35)
 
 
 def illumination(methods):

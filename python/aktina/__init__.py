@@ -10,8 +10,8 @@ from ._errors import (BadInput, BadParam, Cancelled, CheckFailed, Error, FileErr
                       Unsupported, UsageError)
 from ._facets import facet_distribution, fresnel, groove_masking
 from ._form_factors import form_factor, form_factors, polygon_area
-from ._geometry import Hits, intersect, reflect, refract, vertex_normal
-from ._illumination import highlight, illuminate, schlick_power
+from ._geometry import Hits, intersect, mesh_normals, reflect, refract, vertex_normal
+from ._illumination import albedo, highlight, illuminate, reciprocity, reflected_share, schlick_power
 from ._images import compare, read_image, write_image
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
 from ._scene import Scene, Solution, load, load_solution, radiance, trace

@@ -74,6 +74,28 @@ def vertex_normal(method, vertex, rim, closed=True):
     return np.array(_core.vertex_normal(method, one_vector("vertex", vertex), rim, bool(closed)))
 
 
+def mesh_normals(vertices, triangles, method="angle", crease=np.pi / 6):
+    """A triangle mesh with vertex normals: smooth, but split at edges sharper than `crease`, at edges of more than two
+    triangles and where triangles touch in a point only. Triangles without area count for nothing.
+
+    vertices : (V, 3), m; those in the same place are one.  triangles : (T, 3), indices, counter-clockwise.
+    method : of the family "normals".  crease : rad, [0, pi]; 0: flat triangles, pi: smooth everywhere.
+    Returns a dictionary as `Scene` takes it: "vertices" (W, 3), "normals" (W, 3), "triangles" (T, 3); vertices are
+    doubled where normals differ.
+    Raises NoSuchMethod, UsageError (an index), BadParam.
+
+    >>> import aktina
+    >>> roof = aktina.mesh_normals([[0, 0, 0], [0, 0, 1], [1, 1, 0], [-1, 1, 0]], [[0, 1, 2], [0, 3, 1]], crease=0.5)
+    >>> len(roof["vertices"])  # a right angle between two triangles: both vertices of its edge are doubled
+    6
+    """
+    vertices = np.ascontiguousarray(rows("vertices", vertices, 3, np.float32))
+    triangles = np.ascontiguousarray(rows("triangles", triangles, 3, np.uint32))
+    moved, normals, corners = _core.mesh_normals(vertices, triangles, method, number("crease", crease, 0, np.pi))
+    return {"vertices": np.asarray(moved), "normals": np.asarray(normals),
+            "triangles": np.asarray(corners)}
+
+
 def reflect(incident, normal):
     """Direction of the mirrored ray.
 

@@ -3,7 +3,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import colours, numbers, rows, spread, unit_vectors
-from ._errors import UsageError
+from ._errors import BadParam, UsageError
 
 _FIELDS = dict(_core.surface_fields())
 
@@ -53,6 +53,54 @@ def highlight(model, n, l, v, exponent):
     1.0
     """
     return illuminate(model, {"kd": 0, "ks": 1, "exponent": exponent}, n, l, v)[..., 0]
+
+
+def albedo(model, material, cos_view=1.0):
+    """Radiance of a surface in a white furnace: what a viewer sees where everything around has radiance 1.
+
+    model : of the family "illumination".  material : coefficients, as `illuminate` takes them.
+    cos_view : (...,), in [0, 1], of the angle between normal and viewer.
+    Returns (..., 3) float32: the integral of f n.l over the hemisphere, within about 1e-3; 1e-2 at grazing angles.
+
+    >>> import aktina
+    >>> aktina.albedo("lambert", {"kd": 0.5}, [1, 0.2]).round(2).tolist()
+    [[0.5, 0.5, 0.5], [0.5, 0.5, 0.5]]
+    """
+    return _energy(_core.albedo, model, material, "cos_view", cos_view)
+
+
+def reflected_share(model, material, cos_light=1.0):
+    """Share of the light of a distant lamp that leaves the surface in any direction. Above 1, the model makes light.
+
+    Arguments and result as `albedo`; the same as that for a reciprocal model.
+
+    >>> import aktina
+    >>> round(float(aktina.reflected_share("phong", {"kd": 0, "ks": 1, "exponent": 1})[0]), 3)  # 2 / (n + 2)
+    0.667
+    """
+    return _energy(_core.reflected_share, model, material, "cos_light", cos_light)
+
+
+def reciprocity(model, material):
+    """How far a model is from f(l, v) = f(v, l): (error, a, b).
+
+    error : the largest |f(a, b) - f(b, a)| over the larger of both, for directions up to 85 degrees off the normal; 0:
+        reciprocal.  a, b : where it is so large, for the normal (0, 0, 1).
+
+    >>> import aktina
+    >>> aktina.reciprocity("lambert", {"kd": 0.5})[0]
+    0.0
+    """
+    return _core.reciprocity(model, surface_rows(material))
+
+
+def _energy(function, model, material, name, cosines):
+    cosines = numbers(name, cosines, np.float32)
+    if (cosines < 0).any() or (cosines > 1).any():
+        raise BadParam("should be from 0 to 1", name)
+    out = np.empty((*cosines.shape, 3), np.float32)
+    function(model, surface_rows(material), np.ascontiguousarray(cosines).reshape(-1), out.reshape(-1, 3))
+    return out
 
 
 def schlick_power(t, exponent):

@@ -11,8 +11,12 @@ def irradiance(light, points, normals):
     light : dictionary. {"type": "point", "position", "intensity"}, {"type": "spot", "position", "direction" (out of
         the lamp), "intensity", "inner_angle", "outer_angle" (rad, from the axis), "exponent"} or {"type": "directional",
         "direction" (of travel), "illuminance"} or {"type": "luminaire", "position", "direction" (gamma = 0), "c0"
-        (gamma = 90 in plane C0), "colour", "c", "gamma" (degrees), "candela" (plane by plane)}. Intensities in cd; a point or spot light may have "attenuation", the
-        (a0, a1, a2) of 1 / (a0 + a1 d + a2 d^2), which is (0, 0, 1) unless stated, and "clamp". Lights of a scene fit.
+        (gamma = 90 in plane C0), "colour", "c", "gamma" (degrees), "candela" (plane by plane)} or {"type": "warn",
+        "position", "direction", "intensity", "exponent", "cone_angle", "flap_low", "flap_high" (corners of the box that is
+        lit, m)} or {"type": "rectangle", "corner", "edge_u", "edge_v" (shining towards edge_u x edge_v), "radiance",
+        "both_sides"} or {"type": "disc", "position", "direction", "radius", "radiance", "both_sides"}. Intensities in cd,
+        radiance in cd/m^2; a point, spot or Warn light may have "attenuation", the (a0, a1, a2) of
+        1 / (a0 + a1 d + a2 d^2), which is (0, 0, 1) unless stated, and "clamp". Lights of a scene fit.
     points, normals : (..., 3), m; unit.
     Returns (..., 3) float32, lx.
     Raises NoSuchMethod (type), UsageError (a field), BadParam.

@@ -20,7 +20,7 @@ class Scene:
         "metallic", "roughness", "ior", "transmission", "specular_weight", "specular_tint". Either may have "emission"
         (cd/m^2), "double_sided", "unlit", "alpha", and "texture", an (H, W, 3) array of linear colours that multiplies
         the colour, with "filter" "bilinear" or "nearest".
-    lights : dictionaries as `aktina.irradiance` takes them.
+    lights : dictionaries as `aktina.irradiance` takes them. Rectangles and discs become surfaces that emit.
     camera : "position", "target", "up", and "vertical_fov" (rad) or, for a parallel projection, "half_height" (m). Left
         out: one that frames the scene.
     ambient, background, sky : colours; cd/m^2. Classic ambient light, what is seen beyond everything, even light from all
@@ -75,7 +75,7 @@ class Scene:
         return self._scene.lights
 
     def render(self, method="path", width=0, height=0, samples=0, camera=0, seed=0, shading="phong",
-               illumination="phong", layers=(), radiosity=None, progress=None):
+               illumination="phong", layers=(), radiosity=None, progress=None, depth_cue=(1, 0)):
         """A picture: linear radiance, cd/m^2.
 
         method : "raster", a method of the family "integrator" ("path", "direct", "whitted"; parameters follow a colon),
@@ -85,6 +85,8 @@ class Scene:
         shading, illumination : of "raster", methods of those families.
         layers : names among "albedo", "N", "P", "Z", "direct", "indirect", "illuminance", as the method has them.
         radiosity : dictionary of what `Scene.radiosity` takes, for "radiosity" and "two_pass".
+        depth_cue : (k1, k2), of "raster" and "whitted": diffuse and specular light times 1 / (k1 + k2 d), d m from the
+            eye's plane.
         progress : called with (stage, unit, done, total, seconds) ten times a second. Ctrl-C stops the work.
         Returns (H, W, 3) float32; with layers a dictionary of arrays, the picture under "".
         Raises NoSuchMethod, UsageError, BadParam, LimitExceeded.
@@ -95,7 +97,7 @@ class Scene:
         (20, 30, 3)
         """
         options = {"method": method, "width": int(width), "height": int(height), "samples": int(samples),
-                   "shading": shading, "illumination": illumination, "layers": list(layers)}
+                   "shading": shading, "illumination": illumination, "layers": list(layers), "k1": float(depth_cue[0]), "k2": float(depth_cue[1])}
         drawn = _core.render(self._scene, options, camera, dict(radiosity or {}), int(seed), progress)
         pictures = {name: np.asarray(pixels) for name, pixels in drawn}
         return pictures if layers else pictures[""]
@@ -222,10 +224,12 @@ def load_solution(path, scene):
     return Solution(scene, _core.load_solution(scene._scene, os.fspath(path)))
 
 
-def load(path):
+def load(path, normals=None, crease=np.pi / 6):
     """A Scene from a file: glTF 2.0, OBJ, PLY, STL, OFF, FBX, COLLADA, 3DS.
 
-    Raises FileError, BadInput, LimitExceeded, Unsupported.
+    normals : a method of the family "normals" that makes the normals of all meshes anew; None: those of the file.
+    crease : rad; edges sharper than this stay sharp where normals are made.
+    Raises FileError, BadInput, LimitExceeded, Unsupported, NoSuchMethod, BadParam.
 
     >>> import aktina
     >>> try:
@@ -235,7 +239,7 @@ def load(path):
     io
     """
     scene = Scene()
-    scene._scene = _core.load_scene(os.fspath(path))
+    scene._scene = _core.load_scene(os.fspath(path), normals or "", number("crease", crease, 0, np.pi))
     return scene
 
 

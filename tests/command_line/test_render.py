@@ -58,6 +58,25 @@ class Render(SceneCommandTest):
         for text in ("0", "-1", "nan", "inf", "much", "1x"):
             self.refuse("usage", CORNELL, None, f"--exposure={text}")
 
+    def test_depth_cue(self):
+        self.run_quick(CORNELL, None, "--depth-cue", "0.5,0.2")
+        for text in ("1", "a,b", "1,2,3", "1;2"):
+            self.refuse("usage", CORNELL, None, f"--depth-cue={text}")
+        self.refuse("usage", CORNELL, None, "--depth-cue", "0,0")
+        self.assertIn("raster", self.refuse("usage", CORNELL, None, "--method", "path", "--depth-cue", "1,1"))
+
+    def test_normals(self):
+        def picture(*words):
+            self.run_quick(ROOM, None, "--size", "60x40", *words)
+            return read_png(self.folder / "out.png")[2]
+
+        self.assertEqual(picture(), picture("--normals", "file"))
+        flat = picture("--normals", "angle", "--crease", "0")
+        self.assertNotEqual(flat, picture("--normals", "angle", "--crease", "180"))
+        self.assertEqual(flat, picture("--normals", "max", "--crease", "0"))
+        self.refuse("usage", CORNELL, None, "--normals", "best")
+        self.refuse("usage", CORNELL, None, "--crease", "181")
+
     def test_unknown_names(self):
         self.assertIn("did you mean raster?", self.refuse("usage", CORNELL, None, "--method", "rastr"))
         self.assertIn("gouraud", self.refuse("usage", CORNELL, None, "--shading", "gurod"))

@@ -61,6 +61,18 @@ Light light(Pcg32& random, size_t kind) {
       return DirectionalLight{direction(random), Irradiance(c)};
     case 2:
       return luminaire(random, position, c);
+    case 4: {
+      WarnLight warn{.position = position, .direction = direction(random), .intensity = Intensity(c)};
+      warn.exponent = random.next() % 2 ? 0 : 20 * random.uniform();
+      warn.cone_angle = random.next() % 2 ? float(kPi) : 1.5f * random.uniform();
+      warn.flap_low.y = -1, warn.flap_high.x = 1.5f;
+      warn.attenuation = attenuation(random);
+      return warn;
+    }
+    case 5:
+      return RectangleLight{position, vector(random, 3), vector(random, 3), Radiance(c), random.next() % 2 == 0};
+    case 6:
+      return DiscLight{position, direction(random), 2 * random.uniform(), Radiance(c), random.next() % 2 == 0};
     default: {
       SpotLight spot;
       spot.position = position, spot.direction = direction(random), spot.intensity = Intensity(c);
@@ -75,6 +87,8 @@ Light light(Pcg32& random, size_t kind) {
 
 /// Whether a rounding decides on which side of the edge of a hard cone a point lies.
 bool on_cone_edge(const Light& light, Point3 x) {
+  if (const auto* warn = std::get_if<WarnLight>(&light))
+    return std::abs(dot(normalize(x - warn->position), warn->direction) - std::cos(warn->cone_angle)) < 1e-5f;
   const auto* spot = std::get_if<SpotLight>(&light);
   return spot && std::abs(dot(normalize(x - spot->position), spot->direction) - std::cos(spot->outer_angle)) < 1e-5f;
 }
@@ -116,7 +130,8 @@ TEST_P(IlluminatorTest, AgreesWithTheScalarEquation) {
         surface = a.whole[i];
       }
       const Lit expected = illuminate(model, surface, lights, ambient, x, n, viewer.towards(x));
-      const float steep = std::holds_alternative<SpotLight>(lights[0]) ? 2e-4f : 2e-5f;  // the edge of a narrow cone
+      // the edge of a narrow cone; the sum over the edges of a small or distant rectangle
+      const float steep = light_kind == 5 ? 1e-3f : light_kind >= 3 ? 2e-4f : 2e-5f;
       // a power n amplifies the error of its cosine n times, a quotient by the cosine that of a grazing viewer
       const float relative = steep + 2e-5f + 1e-6f * surface.exponent + 2e-7f / std::abs(dot(n, viewer.towards(x)));
       float peak = 0;  // radiance where all cosines are 1: r.v, a difference, is off by an absolute error
@@ -134,6 +149,32 @@ INSTANTIATE_TEST_SUITE_P(ModelsLightsTextures, IlluminatorTest,
                          testing::Combine(testing::Range(size_t(0), illumination_models().size()),
                                           testing::Range(size_t(0), lights().size()), testing::Bool()));
 
+TEST(Illuminator, DepthCueingFadesAllButAmbientLight) {
+  Arrays a{};
+  Pcg32 random(3);
+  for (size_t i = 0; i < kPoints; ++i)
+    for (int k = 0; k < 3; ++k) a.position[k][i] = vector(random, 6)[k], a.normal[k][i] = direction(random)[k];
+  const Light lamp = PointLight{{1, 2, 3}, Intensity(Rgb(40)), {}};
+  Viewer viewer{{0, 0, 9}, false};
+  viewer.cue = {0.5f, 0.25f, {0, 0, 9}, {0, 0, -1}};
+  for (const auto* row : illumination_models()) {
+    const IlluminationModel model = row->make(ParamSet(row->info));
+    const Surface surface{.ks = Rgb(0.5f), .exponent = 8};
+    Illuminator(model, surface, std::span(&lamp, 1), Rgb(0.3f), viewer).evaluate(a.points(nullptr), a.lit());
+    for (size_t i = 0; i < kPoints; ++i) {
+      const Point3 x{a.position[0][i], a.position[1][i], a.position[2][i]};
+      const Vec3 n = normalize(Vec3(a.normal[0][i], a.normal[1][i], a.normal[2][i]));
+      const float cue = 1 / (0.5f + 0.25f * (9 - x.z));
+      const Lit plain = illuminate(model, surface, std::span(&lamp, 1), Rgb(0.3f), x, n, viewer.towards(x));
+      const Lit faded = illuminate(model, surface, std::span(&lamp, 1), Rgb(0.3f), x, n, viewer.towards(x), cue);
+      const float ambient = 0.3f;
+      EXPECT_NEAR(faded.diffuse.g, ambient + (plain.diffuse.g - ambient) * cue, 1e-5f) << row->info.id;
+      EXPECT_NEAR(a.diffuse[1][i], faded.diffuse.g, 1e-4f * (1 + faded.diffuse.g)) << row->info.id;
+      EXPECT_NEAR(a.specular[1][i], faded.specular.g, 2e-4f * (1 + faded.specular.g)) << row->info.id;
+    }
+  }
+}
+
 TEST(Illuminator, IsFiniteWhereGeometryDegenerates) {
   Arrays a{};
   for (size_t i = 0; i < kPoints; ++i) {
@@ -146,7 +187,17 @@ TEST(Illuminator, IsFiniteWhereGeometryDegenerates) {
       surface.ks = Rgb(1), surface.exponent = exponent;
       SpotLight closed, open;
       closed.outer_angle = 0, open.outer_angle = float(kPi);
-      const Light lights[] = {PointLight{}, closed, open, DirectionalLight{}};
+      const Light lights[] = {PointLight{},
+                              closed,
+                              open,
+                              DirectionalLight{},
+                              WarnLight{.cone_angle = 0},
+                              RectangleLight{},
+                              RectangleLight{.corner = {0, 0, 0}, .edge_u = {1, 0, 0}},
+                              RectangleLight{.edge_v = {0, 0, 0}},
+                              DiscLight{},
+                              DiscLight{.radius = 1},
+                              DiscLight{.radius = 0}};
       Illuminator(row->make(ParamSet(row->info)), surface, lights, Rgb(1), {{1, 0, 0}, false})
           .evaluate(a.points(nullptr), a.lit());
       for (size_t i = 0; i < kPoints; ++i)

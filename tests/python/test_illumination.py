@@ -77,3 +77,37 @@ def test_spot_falls_off_smoothly_between_its_cones():
     falloff = aktina.spot_falloff([0, 0, -1], l, outer_angle=0.8, inner_angle=0.2)
     assert (falloff[angles < 0.2] == 1).all() and (falloff[angles > 0.8] == 0).all()
     assert (np.diff(falloff) <= 0).all() and abs(np.diff(falloff)).max() < 0.05
+
+
+def test_lamps_with_an_area_and_flaps():
+    panel = {"type": "rectangle", "corner": [-0.5, 2, -0.5], "edge_u": [1, 0, 0], "edge_v": [0, 0, 1], "radiance": 10}
+    disc = {"type": "disc", "position": [0, 2, 0], "direction": [0, -2, 0], "radius": 0.5, "radiance": 10}
+    up = [0, 1, 0]
+    np.testing.assert_allclose(aktina.irradiance(disc, [0, 0, 0], up), 10 * np.pi * 0.25 / 4.25, rtol=1e-5)
+    assert (aktina.irradiance(panel, [0, 3, 0], [0, -1, 0]) == 0).all()
+    far = aktina.irradiance(panel, [0, -98, 0], up)
+    np.testing.assert_allclose(far, 10 / 100**2, rtol=1e-3)
+    warn = {"type": "warn", "position": [0, 2, 0], "direction": [0, -1, 0], "intensity": 8, "flap_high": [0.5, 9, 9]}
+    assert aktina.irradiance(warn, [[0, 0, 0], [0.6, 0, 0]], up)[:, 0].tolist() == [2, 0]
+    room = aktina.Scene([], [panel, disc, warn])
+    assert room.triangles == 2 and [lamp["type"] for lamp in room.lights] == ["warn"]
+    assert aktina.irradiance(room.lights[0], [0, 0, 0], up)[0] == 2
+
+
+def test_energy_and_reciprocity():
+    material = {"kd": [0.2, 0.4, 0.6], "ks": 0}
+    np.testing.assert_allclose(aktina.albedo("phong", material, [[1, 0.5]]), [[[0.2, 0.4, 0.6]] * 2], atol=2e-3)
+    assert aktina.reciprocity("ward", {"ks": 0.5})[0] < 1e-5 < aktina.reciprocity("phong", {"ks": 0.5})[0]
+    with pytest.raises(aktina.BadParam):
+        aktina.albedo("phong", material, 1.1)
+
+
+def test_normals_of_meshes():
+    cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    assert len(aktina.mesh_normals(cube, triangles, crease=1)["vertices"]) == 24
+    smooth = aktina.mesh_normals(cube, triangles, "angle", crease=np.pi)
+    np.testing.assert_allclose(smooth["normals"], (2 * cube - 1) / np.sqrt(3), atol=1e-6)
+    with pytest.raises(aktina.UsageError):
+        aktina.mesh_normals(cube, [[0, 1, 8]])

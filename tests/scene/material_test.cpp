@@ -16,11 +16,17 @@ Material plastic(float roughness) {
   return m;
 }
 
-TEST(MaterialMapping, MattMaterialReflectsItsBaseColour) {
-  EXPECT_EQ(diffuse_reflectance(plastic(1)), Rgb(0.2f, 0.4f, 0.6f));
+TEST(MaterialMapping, BodyAndGlossReflectAsIfTheyWereMatt) {
+  Material m = plastic(1);
+  m.specular_weight = 0;
+  EXPECT_EQ(matt_reflectance(m), Rgb(0.2f, 0.4f, 0.6f)) << "no gloss: the base colour";
+  EXPECT_NEAR(matt_reflectance(plastic(1)).r, 0.2 * 0.96 + 0.04, 1e-6) << "what the facets leave, and the facets";
+  EXPECT_EQ(matt_reflectance(plastic(0.05f)), Rgb(0.2f, 0.4f, 0.6f)) << "a sharp mirror is not matt";
   Material metal = plastic(1);
   metal.metallic = 1;
-  EXPECT_EQ(diffuse_reflectance(metal), Rgb(0));
+  EXPECT_EQ(matt_reflectance(metal), Rgb(0.2f, 0.4f, 0.6f));
+  metal.roughness = 0.05f;
+  EXPECT_EQ(matt_reflectance(metal), Rgb(0));
 }
 
 // The highlight of the classic form is as bright as the microfacet lobe D F / 4 at normal incidence, D = 1 / (pi
@@ -94,7 +100,7 @@ TEST(MaterialMapping, CoefficientsAreReflectances) {
     const Surface s = surface_of(m);
     for (const Rgb c : {s.ka, s.kd, s.ks, s.kr, s.kt}) RC_ASSERT(min_channel(c) >= 0 && max_channel(c) <= 1);
     RC_ASSERT(s.exponent >= 0 && std::isfinite(s.exponent));
-    RC_ASSERT(max_channel(diffuse_reflectance(m) + s.kt) <= 1 + 1e-6f);
+    RC_ASSERT(max_channel(matt_reflectance(m) + s.kt) <= 1 + 1e-6f);
   }));
 }
 

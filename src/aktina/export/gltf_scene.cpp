@@ -150,6 +150,9 @@ LightPlace place(const PointLight& l) { return {.position = l.position, .has_dir
 LightPlace place(const SpotLight& l) { return {.position = l.position, .direction = l.direction}; }
 LightPlace place(const DirectionalLight& l) { return {.direction = l.direction, .has_position = false}; }
 LightPlace place(const LuminaireLight& l) { return {.position = l.position, .has_direction = false}; }
+LightPlace place(const WarnLight& l) { return {.position = l.position, .has_direction = false}; }
+LightPlace place(const RectangleLight& l) { return {.position = l.corner, .has_direction = false}; }
+LightPlace place(const DiscLight& l) { return {.position = l.position, .has_direction = false}; }
 
 bool stands_at(const LightPlace& light, const Mat4& m) {
   const float reach = 1e-4f * (1 + length(light.position));
@@ -181,7 +184,7 @@ Json light_json(const Light& light) {
   } else if (const auto* point = std::get_if<PointLight>(&light)) {
     json["type"] = "point";
     set_colour(json, point->intensity.v);
-  } else {  // a luminaire: what glTF itself can say of it is its mean intensity
+  } else {  // what glTF itself can say of the others is their mean intensity
     json["type"] = "point";
     set_colour(json, flux(light).value_or(Flux()).v * float(kInvPi / 4));
   }

@@ -10,50 +10,12 @@
 
 #include "aktina/base/simd.h"
 #include "aktina/illumination/coefficients_simd.h"
+#include "aktina/illumination/lamps_simd.h"
 #include "aktina/illumination/models_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace aktina::HWY_NAMESPACE {
 namespace {
-
-/// Unit direction to a lamp and the factor on its colour there.
-struct Arrival {
-  V3 l;
-  F factor;
-};
-
-HWY_INLINE F cone_factor(const Lamp& lamp, V3 l) {
-  const F c = zero() - dot(l, broadcast(lamp.axis));
-  const F ramp = hn::Min(hn::Max(fma(c, set(lamp.ramp_scale), set(lamp.ramp_offset)), zero()), set(1.0f));
-  const F factor = hn::IfThenElseZero(c >= set(lamp.outer_cosine), ramp * ramp);
-  return lamp.exponent > 0 ? factor * pow(c, set(lamp.exponent)) : factor;
-}
-
-/// Two binary searches a point: lane by lane.
-HWY_INLINE F table_factor(const Lamp& lamp, V3 l) {
-  alignas(64) float x[kPart], y[kPart], z[kPart];
-  store(l.x, x), store(l.y, y), store(l.z, z);
-  for (size_t i = 0; i < kPart; ++i) x[i] = intensity(*lamp.table, lamp.axis, lamp.c0, -Vec3(x[i], y[i], z[i]));
-  return load(x);
-}
-
-HWY_INLINE Arrival arrive(const Lamp& lamp, V3 x) {
-  if (lamp.distant) return {broadcast(lamp.place), set(1.0f)};
-  const V3 d = broadcast(lamp.place) - x;
-  const F squared = hn::Max(dot(d, d), set(1e-30f));
-  const F inverse = reciprocal_sqrt(squared);
-  Arrival a{d * inverse, inverse * inverse};
-  if (!lamp.inverse_square) {
-    const Attenuation& f = lamp.attenuation;
-    const F distance = squared * inverse;
-    const F sum = fma(distance, fma(distance, set(f.a2), set(f.a1)), set(f.a0));
-    a.factor = reciprocal(hn::Max(sum, set(1e-30f)));
-    if (f.clamp) a.factor = hn::Min(a.factor, set(1.0f));
-  }
-  if (lamp.table) a.factor = a.factor * table_factor(lamp, a.l);
-  if (lamp.cone) a.factor = a.factor * cone_factor(lamp, a.l);
-  return a;
-}
 
 /// Sums over the lamps, each times the lamps' colours.
 struct Sums {
@@ -72,6 +34,13 @@ HWY_INLINE void add(const Model& model, const Lamp& lamp, const Coefficients& c,
   }
 }
 
+HWY_INLINE void fade(const DepthCue& cue, V3 x, Sums& sums) {
+  const F d = hn::Max(dot(x - broadcast(cue.eye), broadcast(cue.forward)), zero());
+  const F factor = set(1.0f) / fma(d, set(cue.k2), set(std::max(cue.k1, DepthCue::kLeast)));
+  for (F(*sum)[3] : {&sums.diffuse, &sums.specular, &sums.grazing})
+    for (F& value : *sum) value = value * factor;
+}
+
 template <class Model>
 void light_points(const Model& model, const Illuminator& light, const PointArrays& points, const LitArrays& out) {
   const Rgb ambient = light.ambient();
@@ -86,6 +55,7 @@ void light_points(const Model& model, const Illuminator& light, const PointArray
     const Geometry seen{n, v, v, zero(), dot(n, v), zero()};
     Sums sums{{zero(), zero(), zero()}, {zero(), zero(), zero()}, {zero(), zero(), zero()}};
     for (const Lamp& lamp : light.lamps()) add(model, lamp, c, x, seen, sums);
+    if (viewer.cue.active()) fade(viewer.cue, x, sums);
     for (int k = 0; k < 3; ++k) {
       F specular = sums.specular[k] * c.ks[k];
       if constexpr (std::is_same_v<Model, Ggx>) specular = fma(sums.grazing[k], c.grazing[k], specular);

@@ -1,6 +1,8 @@
 #include "aktina/illumination/lamp.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace aktina {
 namespace {
@@ -39,6 +41,36 @@ Lamp lamp_of(const LuminaireLight& light) {
   Lamp lamp = lamp_of(PointLight{light.position, Intensity(light.colour), {}});
   lamp.table = light.table;
   lamp.axis = light.direction, lamp.c0 = light.c0;
+  return lamp;
+}
+
+Lamp lamp_of(const WarnLight& light) {
+  Lamp lamp = lamp_of(PointLight{light.position, light.intensity, light.attenuation});
+  lamp.cone = true;
+  lamp.axis = light.direction;
+  lamp.outer_cosine = std::max(std::cos(light.cone_angle), std::numeric_limits<float>::min());
+  lamp.ramp_offset = 1;
+  lamp.exponent = light.exponent > 0 ? light.exponent : 0;
+  lamp.flaps = true, lamp.flap_low = light.flap_low, lamp.flap_high = light.flap_high;
+  return lamp;
+}
+
+Lamp lamp_of(const RectangleLight& light) {
+  Lamp lamp{};
+  lamp.shape = LampShape::rectangle;
+  lamp.place = light.corner, lamp.edge_u = light.edge_u, lamp.edge_v = light.edge_v;
+  lamp.axis = normalize_or(cross(light.edge_u, light.edge_v), Vec3(0));
+  lamp.colour = light.radiance.v * float(kInvPi);
+  lamp.both_sides = light.both_sides;
+  return lamp;
+}
+
+Lamp lamp_of(const DiscLight& light) {
+  Lamp lamp{};
+  lamp.shape = LampShape::disc;
+  lamp.place = light.position, lamp.axis = light.direction, lamp.radius = light.radius;
+  lamp.colour = light.radiance.v * float(kInvPi);
+  lamp.both_sides = light.both_sides;
   return lamp;
 }
 

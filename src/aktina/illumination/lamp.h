@@ -5,6 +5,8 @@
 
 namespace aktina {
 
+enum class LampShape : uint8_t { point, rectangle, disc };
+
 /// E / pi = colour * attenuation * cone at a point, towards which the light travels.
 struct Lamp {
   bool distant;         // parallel light: `place` is the unit direction towards it
@@ -19,6 +21,13 @@ struct Lamp {
   float exponent;                                 // of the cosine; 0: none
   std::shared_ptr<const PhotometricTable> table;  // multiplies by the intensity about `axis` and `c0`; null: none
   Vec3 c0;
+  bool flaps;  // dark outside of the box
+  Point3 flap_low, flap_high;
+  // Lamps with an area: colour is L / pi, `place` the corner or the centre, `axis` the front's unit normal.
+  LampShape shape;
+  Vec3 edge_u, edge_v;  // m, of a rectangle
+  float radius;         // m, of a disc
+  bool both_sides;
 };
 
 Lamp lamp(const Light& light);

@@ -12,7 +12,8 @@ namespace aktina {
 
 struct ImportOptions {
   double metres_per_unit = 0;  // 0: what the format says (glTF: 1), or guessed for formats without a unit (1)
-  float crease = 0.5236f;      // rad; edges sharper than this stay sharp where a non-glTF file has no normals
+  std::string normals{};       // of normals(): made anew for every mesh by this method; empty: those of the file
+  float crease = 0.5236f;      // rad; edges sharper than this stay sharp where normals are made
   uint64_t most_bytes = uint64_t(8) << 30;  // of memory for the scene; more is refused
   bool default_camera = true, default_light = true;
 };

@@ -44,9 +44,7 @@ bool is_3ds(std::span<const uint8_t> bytes, const std::string& extension) {
   return extension == "3ds" || (starts_with(bytes, "MM") && length == bytes.size());
 }
 
-}  // namespace
-
-Scene load_scene(const Path& path, const ImportOptions& options) {
+Scene read_any(const Path& path, const ImportOptions& options) {
   const std::vector<uint8_t> bytes = read_file(path, std::min(kLargestFile, options.most_bytes));
   const std::string extension = lower_extension(path), where = display(path);
   if (is_gltf(bytes, extension)) return read_gltf(bytes, path.parent_path(), where, options);
@@ -60,6 +58,23 @@ Scene load_scene(const Path& path, const ImportOptions& options) {
   if (is_3ds(bytes, extension)) return read_3ds(bytes, path.parent_path(), where, options);
   throw Error(Code::unsupported, where, "scene files with the extension '" + extension + "' are not read",
               "use .glb, .gltf, .obj, .ply, .stl, .off, .fbx, .dae or .3ds");
+}
+
+/// Of all meshes, with vertices doubled at creases.
+void renew_normals(Scene& scene, const ImportOptions& options) {
+  const FacetWeighting weighting = make_method(normals(), "normals", options.normals);
+  for (Mesh& mesh : scene.meshes) {
+    mesh.normals.clear();
+    generate_normals(mesh, options.crease, weighting);
+  }
+}
+
+}  // namespace
+
+Scene load_scene(const Path& path, const ImportOptions& options) {
+  Scene scene = read_any(path, options);
+  if (!options.normals.empty()) renew_normals(scene, options);
+  return scene;
 }
 
 }  // namespace aktina

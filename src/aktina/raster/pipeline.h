@@ -21,6 +21,7 @@ struct PipelineSettings {
   std::shared_ptr<const ShadingMethod> method, unlit;  // unlit: linear on the surface
   IlluminationModel model;
   SceneLights lights;
+  DepthCue cue{};               // eye and forward follow the view
   bool cull = false;            // RasterOptions::cull_back_faces
   bool surface_layers = false;  // layers that need the surface's coordinates: albedo, N
 };

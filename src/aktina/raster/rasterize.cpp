@@ -31,6 +31,8 @@ PipelineSettings settings_of(const Scene& scene, const RasterOptions& options) {
   s.unlit = make_method(shading_methods(), "shading", "gouraud:perspective=1");
   s.model = make_method(illumination_models(), "illumination", options.illumination);
   s.lights = scene_lights(scene);
+  check(options.depth_cue);
+  s.cue = options.depth_cue;
   // Here already: a method says what it cannot do.
   s.method->plan(Illuminator(s.model, Surface(), s.lights.lights, s.lights.ambient, Viewer()));
   s.cull = options.cull_back_faces;
@@ -110,7 +112,10 @@ class Rasterizer::Workshop {
     check_picture(camera, width, height);
     check_picture(camera, width * side_, height * side_);
     const View view(camera, width * side_, height * side_);
-    const Pipelines pipelines(settings_, list_, view.viewer());
+    Viewer viewer = view.viewer();
+    viewer.cue = settings_.cue;
+    viewer.cue.eye = camera.position(), viewer.cue.forward = camera.forward();
+    const Pipelines pipelines(settings_, list_, viewer);
     if (pipelines.any_radiance) radiance_.light.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
     if (pipelines.any_specular) radiance_.specular.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
     const RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aktina/base/progress.h"
+#include "aktina/illumination/illuminate.h"
 #include "aktina/image/image.h"
 #include "aktina/raster/item_buffer.h"
 #include "aktina/scene/scene.h"
@@ -16,6 +17,7 @@ struct RasterOptions {
   std::string shading = "phong";       // "METHOD" or "METHOD:parameter=number,...", as shading_methods() lists them
   std::string illumination = "phong";  // as illumination_models() lists them
   int samples = 1;                     // per pixel: 1, 4 or 16 on a regular grid, averaged
+  DepthCue depth_cue{};                // eye and forward follow the camera
   bool cull_back_faces = false;        // leave out the backs of single-sided materials; else both sides are drawn
   // PictureLayers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z"
   // (distance along the view axis, m; infinite where nothing is seen).

@@ -9,6 +9,7 @@ LayeredImage draw_by_raster(PictureJob& job) {
   const RasterOptions options{.shading = job.options.shading,
                               .illumination = job.options.illumination,
                               .samples = job.samples(4),
+                              .depth_cue = job.options.depth_cue,
                               .albedo = job.wants("albedo"),
                               .normal = job.wants("N"),
                               .position = job.wants("P"),

@@ -9,6 +9,7 @@ LayeredImage draw_by_rays(PictureJob& job) {
   TraceOptions options{.integrator = job.options.method,
                        .samples = job.samples(job.options.method.starts_with("whitted") ? 4 : 64),
                        .seed = job.options.seed,
+                       .depth_cue = job.options.depth_cue,
                        .albedo = job.wants("albedo"),
                        .normal = job.wants("N"),
                        .position = job.wants("P"),

@@ -50,6 +50,7 @@ std::string settings(const PictureJob& job) {
   if (o.method == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
   line += fmt::format(" --size {}x{} --seed {}", job.width, job.height, o.seed);
   if (o.method == "radiosity" || o.method == "two_pass") line += " " + settings(o.radiosity);
+  if (o.depth_cue.active()) line += fmt::format(" --depth-cue {},{}", o.depth_cue.k1, o.depth_cue.k2);
   if (o.samples > 0) line += fmt::format(" --samples {}", o.samples);
   if (o.camera > 0) line += fmt::format(" --camera {}", o.camera);
   if (!o.layers.empty()) line += fmt::format(" --layers {}", fmt::join(o.layers, ","));
@@ -58,6 +59,8 @@ std::string settings(const PictureJob& job) {
 
 LayeredImage draw(PictureJob& job) {
   const std::string id = parse_method(job.options.method).id;
+  if (job.options.depth_cue.active() && (id == "radiosity" || id == "two_pass"))
+    throw Error(Code::usage, "depth_cue", fmt::format("method {} has no depth cueing", id), "raster and whitted have");
   for (const Way& way : kWays)
     if (way.method == id) return way.draw(job);
   for (const MethodInfo* integrator : find_family("integrator").methods)

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "aktina/illumination/illuminate.h"
 #include "aktina/image/image.h"
 #include "aktina/radiosity/solve.h"
 #include "aktina/render/report.h"
@@ -18,6 +19,7 @@ struct RenderOptions {
   std::string shading = "phong", illumination = "phong";  // raster
   RadiosityOptions radiosity{};                           // radiosity, two_pass
   int width = 0, height = 0;                              // px; 0: from the camera's aspect, 960 px wide
+  DepthCue depth_cue{};                                   // raster, whitted: k1 and k2
   int samples = 0;                                        // per pixel; 0: the method's own default
   int camera = 0;                                         // index into Scene::cameras
   const Camera* view = nullptr;                           // a camera of the caller's own instead

@@ -76,6 +76,20 @@ void add(Hash64& hash, const LuminaireLight& l) {
   if (l.table) add(hash, l.table->c), add(hash, l.table->gamma), add(hash, l.table->candela);
 }
 
+void add(Hash64& hash, const WarnLight& l) {
+  const Vec3 place[] = {l.position, l.direction, l.flap_low, l.flap_high};
+  const float cone[] = {l.exponent, l.cone_angle};
+  hash.add_value(place), hash.add_value(cone), hash.add_value(l.intensity.v), add(hash, l.attenuation);
+}
+void add(Hash64& hash, const RectangleLight& l) {
+  const Vec3 place[] = {l.corner, l.edge_u, l.edge_v};
+  hash.add_value(place), hash.add_value(l.radiance.v), hash.add_value(l.both_sides);
+}
+void add(Hash64& hash, const DiscLight& l) {
+  const Vec3 place[] = {l.position, l.direction};
+  hash.add_value(place), hash.add_value(l.radius), hash.add_value(l.radiance.v), hash.add_value(l.both_sides);
+}
+
 void add(Hash64& hash, const Camera& c) {
   const float numbers[] = {float(c.kind), c.vertical_fov, c.half_height, c.aspect, c.near, c.far};
   hash.add_value(c.to_world), hash.add_value(numbers);

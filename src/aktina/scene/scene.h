@@ -34,7 +34,7 @@ struct Instance {
 
 struct PlacedLight {
   std::string name;
-  Light light;  // in world space
+  Light light;  // in world space; one with an area stands as a surface instead: place_light() (scene_lights.h)
   int node = -1;
 };
 

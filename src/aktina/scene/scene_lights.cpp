@@ -99,7 +99,11 @@ SceneLights scene_lights(const Scene& scene) {
                    [](const Emitter& a, const Emitter& b) { return a.power() > b.power(); });
   out.instance.assign(out.lights.size(), -1);
   for (size_t i = 0; i < std::min(emitters.size(), kMostEmitters); ++i) {
-    add_lamps(emitters[i], out.lights);
+    const auto flat = flat_light(scene, scene.instances[size_t(emitters[i].instance)]);
+    if (flat)
+      out.lights.push_back(*flat);
+    else
+      add_lamps(emitters[i], out.lights);
     out.instance.resize(out.lights.size(), emitters[i].instance);
   }
   out.ambient = scene.ambient + mean_radiance(scene.environment);

@@ -128,6 +128,16 @@ LampBounds bounds_of(const Light& lamp) {
   } else if (const auto* luminaire = std::get_if<LuminaireLight>(&lamp)) {
     b.box.add(luminaire->position);
     b.power = luminance(flux(*luminaire)->v) / float(4 * kPi);  // mean intensity
+  } else if (const auto* warn = std::get_if<WarnLight>(&lamp)) {
+    b.box.add(warn->position);
+    b.power = luminance(warn->intensity.v), b.spread = 0;
+    b.axis = warn->direction, b.beam = std::min(warn->cone_angle, float(kPi / 2));
+  } else if (const auto* rectangle = std::get_if<RectangleLight>(&lamp)) {
+    b.box.add(rectangle->corner + (rectangle->edge_u + rectangle->edge_v) * 0.5f);
+    b.power = luminance(flux(*rectangle)->v) / float(4 * kPi);
+  } else if (const auto* disc = std::get_if<DiscLight>(&lamp)) {
+    b.box.add(disc->position);
+    b.power = luminance(flux(*disc)->v) / float(4 * kPi);
   }
   return b;
 }

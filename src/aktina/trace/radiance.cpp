@@ -21,6 +21,8 @@ void check_samples(int samples) {
 
 std::unique_ptr<Integrator> make_integrator(const RayScene& scene, const TraceOptions& options) {
   auto integrator = make_method(integrators(), "integrator", options.integrator);
+  check(options.depth_cue);
+  if (options.depth_cue.active()) integrator->set_depth_cue(options.depth_cue);
   integrator->prepare(scene);
   return integrator;
 }

@@ -38,6 +38,11 @@ struct Pass {
   int tile() const { return count <= 2 ? 32 : 16; }  // side, px: about kBatch samples
 };
 
+TraceOptions seen_from(const Camera& camera, TraceOptions options) {
+  options.depth_cue.eye = camera.position(), options.depth_cue.forward = camera.forward();
+  return options;
+}
+
 class Tracer {
  public:
   Tracer(const Scene& scene, const Camera& camera, int width, int height, const TraceOptions& options)
@@ -46,7 +51,7 @@ class Tracer {
         height_(height),
         camera_(camera, width, height),
         scene_(scene, options.accelerator),
-        integrator_(make_integrator(scene_, options)),
+        integrator_(make_integrator(scene_, seen_from(camera, options))),
         sums_(size_t(width) * size_t(height)) {}
 
   /// @return  false: cancelled, nothing was added

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aktina/base/progress.h"
+#include "aktina/illumination/illuminate.h"
 #include "aktina/image/image.h"
 #include "aktina/scene/scene.h"
 
@@ -16,6 +17,7 @@ struct TraceOptions {
   std::string accelerator{};        // as accelerators() lists them; empty: the fastest one for the scene
   int samples = 16;                 // per pixel
   uint32_t seed = 0;
+  DepthCue depth_cue{};  // of "whitted"; trace() takes eye and forward from the camera
   // Layers beside the picture: "albedo" (base colour), "N" (unit shading normal, world), "P" (m, world), "Z" (distance
   // along the view axis, m; infinite where nothing is seen), "direct" and "indirect" (cd/m^2; their sum is the
   // picture), "illuminance" (lx, arriving at what the camera sees).

@@ -74,6 +74,47 @@ TEST(GltfExtras, MayBeAnything) {
   }
 }
 
+TEST(GltfExtras, LightsThatGltfCannotSay) {
+  GltfFile file;
+  file.triangle();
+  Json& node = file.json["nodes"][0];
+  node["translation"] = {1, 2, 3}, node["scale"] = {2, 2, 2};
+  const auto light = [&](const Json& fields) -> Scene {
+    node["extras"]["aktina"]["light"] = fields;
+    return file.read();
+  };
+  const Scene warn = light({{"type", "warn"}, {"intensity", {1, 2, 3}}, {"exponent", 4}, {"flap_low", {0, -1, 0}}});
+  const auto* lamp = std::get_if<WarnLight>(&warn.lights.at(0).light);
+  ASSERT_TRUE(lamp);
+  EXPECT_EQ(lamp->position, Vec3(1, 2, 3));
+  EXPECT_EQ(lamp->direction, Vec3(0, 0, -1));
+  EXPECT_EQ(lamp->exponent, 4);
+  EXPECT_EQ(lamp->flap_low, Vec3(0, -1, 0));
+  EXPECT_EQ(lamp->flap_high.x, WarnLight::kNoFlap);
+  const Scene point = light({{"type", "point"}, {"attenuation", {1, 0.5, 0}}, {"clamp", true}});
+  EXPECT_EQ(std::get<PointLight>(point.lights.at(0).light).attenuation, (Attenuation{1, 0.5f, 0, true}));
+  const Scene spot = light({{"type", "spot"}, {"outer_angle", 0.4}, {"exponent", 8}});
+  EXPECT_EQ(std::get<SpotLight>(spot.lights.at(0).light).inner_angle, 0.4f) << "a hard edge";
+
+  const Scene panel = light({{"type", "rectangle"}, {"width", 0.5}, {"height", 0.25}, {"radiance", {7, 8, 9}}});
+  EXPECT_TRUE(panel.lights.empty());
+  ASSERT_EQ(panel.instances.size(), 2u);
+  const Material& material = panel.material_of(panel.instances[1]);
+  EXPECT_EQ(material.emission.v.b, 9);
+  const Mesh& mesh = panel.meshes[size_t(panel.instances[1].mesh)];
+  EXPECT_NEAR(triangle_cross(mesh, mesh.triangles[0]).z, -0.5f, 1e-6f) << "1 m x 0.5 m, towards -z";
+  const Scene disc = light({{"type", "disc"}, {"radius", 0.5}, {"both_sides", true}});
+  EXPECT_NEAR(std::get<Disc>(disc.primitives.at(0)).radius, 1, 1e-5f);
+
+  for (const Json& wrong :
+       {Json({{"type", "neon"}}), Json({{"type", "disc"}, {"radius", 0}}), Json({{"type", "rectangle"}, {"width", -1}}),
+        Json({{"type", "warn"}, {"exponent", -1}}), Json({{"type", "spot"}, {"outer_angle", 4}}),
+        Json({{"type", "point"}, {"intensity", {-1, 0, 0}}}), Json({{"type", "point"}, {"attenuation", {0, 0, 0}}})}) {
+    node["extras"]["aktina"]["light"] = wrong;
+    EXPECT_NE(file.fault().find("/nodes/0/extras/aktina/light"), std::string::npos) << wrong;
+  }
+}
+
 TEST(GltfMaterials, SpecularGlossinessIsADielectricOfThatReflectance) {
   GltfFile file;
   file.triangle();

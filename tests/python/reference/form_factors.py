@@ -6,16 +6,18 @@ import aktina
 from .cases import ANALYTIC, SAMPLED, Method, ids
 
 EXACT = ("contour",)  # held to the analytic tolerance
-BY_SOLID_ANGLE = ("hemicube", "monte_carlo")  # what is smaller than a sample's share is not seen
+# What is smaller than a sample's share is not seen.
+BY_SOLID_ANGLE = ("hemicube", "monte_carlo", "hemisphere", "cubic_tetrahedron")
+PARTIAL = ("single_plane",)  # loses what is beside its plane: no claim on a value
 
 
 def kinds():
     polygons = [Method(id, ANALYTIC if id in EXACT else SAMPLED, lambda case, id=id: between_polygons(id, case),
                        lambda case, id=id: id not in BY_SOLID_ANGLE or not far_away(case))
-                for id in ids("formfactor")]
+                for id in ids("formfactor") if id not in PARTIAL]
     points = [Method(id, ANALYTIC if id in (*EXACT, "analytic") else SAMPLED, lambda case, id=id: from_point(id, case),
                      lambda case, id=id: id not in BY_SOLID_ANGLE or not far_away(case))
-              for id in ids("formfactor")]
+              for id in ids("formfactor") if id not in PARTIAL]
     shapes = {"point_disc": point_disc, "disc_disc_coaxial": coaxial_discs, "point_sphere": point_sphere,
               "concentric_spheres": spheres, "sphere_interior_band": band, "spherical_cap_base": cap,
               "illuminance_rect_luminaire": luminaire}

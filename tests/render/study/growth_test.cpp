@@ -19,7 +19,7 @@ TEST(StudyGrowth, SlopeNeedsTwoPointsThatHaveLogarithms) {
   EXPECT_TRUE(std::isnan(log_log_slope(std::vector<double>{10}, std::vector<double>{1})));
   EXPECT_TRUE(std::isnan(log_log_slope(std::vector<double>{10, 20}, std::vector<double>{0, 0})));
   EXPECT_TRUE(std::isnan(log_log_slope(std::vector<double>{10, 10}, std::vector<double>{1, 2})));
-  EXPECT_TRUE(std::isnan(log_log_slope(std::vector<double>{10, 20}, std::vector<double>{kUnknown, 2})));
+  EXPECT_TRUE(std::isnan(log_log_slope(std::vector<double>{10, 20}, std::vector<double>{kNotMeasured, 2})));
 }
 
 TEST(StudyGrowth, SubdivisionKeepsTheSurface) {

@@ -98,7 +98,7 @@ TEST(StudyOutput, AChartOfManyMethodsInOnePlaceKeepsItsLabelsApart) {
 
 TEST(StudyOutput, NumbersAreShort) {
   EXPECT_EQ(shown(0), "0");
-  EXPECT_EQ(shown(kUnknown), "–");
+  EXPECT_EQ(shown(kNotMeasured), "–");
   EXPECT_EQ(shown(0.123456), "0.123");
   EXPECT_EQ(shown(1234.5), "1234");
   EXPECT_EQ(shown(1.23e-5), "1.2e-05");

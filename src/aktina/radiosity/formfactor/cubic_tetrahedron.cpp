@@ -38,7 +38,7 @@ std::vector<DirectionCell> cells(int n) {
 }
 
 constexpr Param kParams[] = {{"resolution", "1", "cells along the legs of a face", 40, 2, 4096, true},
-                             {"points", "1", "tetrahedra on each patch", 64, 1, 65536, true},
+                             {"points", "1", "tetrahedra on each patch", 256, 1, 65536, true},
                              {"seed", "1", "of the tetrahedra's places and rotations", 0, 0, 4294967295.0, true}};
 
 }  // namespace

@@ -36,8 +36,8 @@ std::vector<DirectionCell> cells(int n) {
 }
 
 constexpr Param kParams[] = {
-    {"resolution", "1", "cells along an edge of the square that is mapped to the base", 32, 2, 1024, true},
-    {"points", "1", "hemispheres on each patch", 64, 1, 65536, true},
+    {"resolution", "1", "cells along an edge of the square that is mapped to the base", 64, 2, 1024, true},
+    {"points", "1", "hemispheres on each patch", 128, 1, 65536, true},
     {"seed", "1", "of the hemispheres' places and rotations", 0, 0, 4294967295.0, true}};
 
 }  // namespace

@@ -25,7 +25,7 @@ CornerHighlight corner_highlight(const HighlightCurve& curve, const Illuminator&
   CornerHighlight out{normal, s.wi, wo, half_vector(s.wi, wo, normal), 0, 0, {}};
   out.cosine = curve.half ? dot(normal, out.half) : dot(reflect_about(normal, s.wi), wo);
   out.facing = dot(normal, s.wi);
-  out.peak = light.surface().ks * s.e_perp.v * float(kInvPi);
+  out.peak = light.surface().ks * s.e_perp.v * (float(kInvPi) * light.viewer().cue.at(position));
   return out;
 }
 

@@ -83,6 +83,7 @@ namespace {
 struct Corners {
   Vec2 screen[3], centre;
   Point3 position[3];
+  float cue[3];  // DepthCue
   LinearVector normal, viewer;
 
   Corners(const TriangleGroup& t, int lane, const Viewer& from) {
@@ -93,6 +94,7 @@ struct Corners {
       position[k] = {t.position[k][0][i], t.position[k][1][i], t.position[k][2][i]};
       n[k] = {t.normal[k][0][i], t.normal[k][1][i], t.normal[k][2][i]};
       v[k] = from.towards(position[k]);
+      cue[k] = from.cue.at(position[k]);
     }
     centre = (screen[0] + screen[1] + screen[2]) / 3.0f;
     normal = steady(linear_vector(screen, n), n[0]), viewer = steady(linear_vector(screen, v), v[0]);
@@ -114,7 +116,7 @@ struct LampSeries {
     for (int k = 0; k < 3; ++k) {
       const LightSample s = sample(light, t.position[k]);
       wi[k] = s.wi;
-      e[k] = Vec3(s.e_perp.v.r, s.e_perp.v.g, s.e_perp.v.b) * float(kInvPi);
+      e[k] = Vec3(s.e_perp.v.r, s.e_perp.v.g, s.e_perp.v.b) * (float(kInvPi) * t.cue[k]);
     }
     arriving = linear_vector(t.screen, e);
     const LinearVector l = Corners::steady(linear_vector(t.screen, wi), wi[0]);

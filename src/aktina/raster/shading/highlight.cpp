@@ -127,6 +127,7 @@ HighlightCone highlight_cone(const HighlightCurve& curve, float least, const Lam
   constexpr float kAll = -1, kNone = 2;
   constexpr float kWidest = 1.3f;  // below sqrt(2): caps beyond a half sphere do not hold what lies between
   if (least > 1) return {Vec3(0), kNone};
+  if (lamp.shape != LampShape::point) return {Vec3(0), kAll};  // its light has many directions
   const Cap to_lamp = cap_towards(lamp.place, lamp.distant, corners);
   const Cap to_eye = cap_towards(viewer.at, viewer.distant, corners);
   if (std::max(to_lamp.chord, to_eye.chord) > kWidest) return {Vec3(0), kAll};
@@ -144,6 +145,7 @@ HighlightCone highlight_cone(const HighlightCurve& curve, float least, const Lam
 
 bool may_shine(const HighlightCurve& curve, float least, const Lamp& lamp, const Viewer& viewer,
                const Point3 (&position)[3], const Vec3 (&normal)[3]) {
+  if (lamp.shape != LampShape::point) return least <= 1;
   bool lit = false;  // n.l is a sum, with weights above 0, of what it is between each normal and each corner's l
   for (const Point3 p : position)
     for (const Vec3 n : normal) lit = lit || dot(n, lamp.distant ? lamp.place : lamp.place - p) > 0;

@@ -113,7 +113,8 @@ uint32_t MayShine(const HighlightCurve& curve, float least, const Illuminator& l
     const Triangles t(group, i);
     const Cap to_eye = cap_towards(light.viewer().at, light.viewer().distant, t);
     uint32_t part = 0;
-    for (const Lamp& lamp : light.lamps()) part |= bits_of(shines(curve, least, lamp, to_eye, t));
+    for (const Lamp& lamp : light.lamps())
+      part |= lamp.shape == LampShape::point ? bits_of(shines(curve, least, lamp, to_eye, t)) : (1U << kPart) - 1;
     bits |= part << i;
   }
   return bits;

@@ -25,8 +25,9 @@ TriangleGroup group_of(const ShadedTriangle& t, const Illuminator& light) {
   g.count = 1, g.channels = 6;
   const Vec3 face = normalize_or(cross(t.position[1] - t.position[0], t.position[2] - t.position[0]), t.normal[0]);
   for (int v = 0; v < 3; ++v) {
-    const Lit lit = illuminate(light.model(), light.surface(), light.lights(), light.ambient(), t.position[v],
-                               t.normal[v], light.viewer().towards(t.position[v]));
+    const Lit lit =
+        illuminate(light.model(), light.surface(), light.lights(), light.ambient(), t.position[v], t.normal[v],
+                   light.viewer().towards(t.position[v]), light.viewer().cue.at(t.position[v]));
     for (size_t i = 0; i < kLanes; ++i) {
       for (int k = 0; k < 3; ++k) {
         g.position[v][k][i] = t.position[v][k], g.normal[v][k][i] = t.normal[v][k], g.face_normal[k][i] = face[k];

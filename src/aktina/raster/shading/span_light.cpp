@@ -16,11 +16,13 @@ const Model* model_in(const Illuminator& light) {
 struct Ends {
   Point3 position[2];
   Vec3 normal[2], viewer[2];
+  float cue[2];  // DepthCue
 
   Ends(const SpanEnds& ends, size_t i, const Illuminator& light) {
     for (size_t e = 0; e < 2; ++e) {
       position[e] = ends.position_of(2 * i + e);
       viewer[e] = light.viewer().towards(position[e]);
+      cue[e] = light.viewer().cue.at(position[e]);
       normal[e] = normalize_or(ends.normal_of(2 * i + e), viewer[e]);
     }
   }
@@ -34,7 +36,7 @@ SpanLight light_of(const Span& span, const CosineModel& model, const Illuminator
   for (size_t e = 0; e < 2; ++e) {
     const LightSample at = sample(lamp, ends.position[e]);
     const Vec3 n = ends.normal[e], v = ends.viewer[e];
-    s.arriving[e] = at.e_perp.v * float(kInvPi);
+    s.arriving[e] = at.e_perp.v * (float(kInvPi) * ends.cue[e]);
     s.diffuse.p[e] = n, s.diffuse.q[e] = at.wi;
     if (model.highlight == CosineModel::Highlight::normal_half) {
       s.highlight.p[e] = n, s.highlight.q[e] = normalize_or(at.wi + v, n);

@@ -35,8 +35,8 @@ Judgement decide(bool holds, std::string measured) {
   return {holds ? Verdict::holds : Verdict::fails, std::move(measured)};
 }
 
-double frame(const MethodStudy& m) { return m.cost.times.empty() ? kUnknown : m.cost.times[0].seconds; }
-double pixels(const MethodStudy& m) { return m.cost.times.empty() ? kUnknown : m.cost.times[0].pixel_seconds; }
+double frame(const MethodStudy& m) { return m.cost.times.empty() ? kNotMeasured : m.cost.times[0].seconds; }
+double pixels(const MethodStudy& m) { return m.cost.times.empty() ? kNotMeasured : m.cost.times[0].pixel_seconds; }
 
 /// Whether the time of the pixels' half over another method's lies in [least, most].
 template <int least10, int most10>

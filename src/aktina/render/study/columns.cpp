@@ -7,11 +7,11 @@ using Group = StudyColumn::Group;
 using M = const MethodStudy&;
 
 double time(M m, size_t which, double FrameTime::*part) {
-  return which < m.cost.times.size() ? m.cost.times[which].*part * 1e3 : kUnknown;
+  return which < m.cost.times.size() ? m.cost.times[which].*part * 1e3 : kNotMeasured;
 }
 
 double operations(const std::optional<Operations>& counted, double Operations::*kind) {
-  return counted ? (*counted).*kind : kUnknown;
+  return counted ? (*counted).*kind : kNotMeasured;
 }
 
 constexpr StudyColumn kColumns[] = {

@@ -137,7 +137,7 @@ double log_log_slope(std::span<const double> x, std::span<const double> y) {
     n += 1, sx += u, sy += v, sxx += u * u, sxy += u * v;
   }
   const double spread = n * sxx - sx * sx;
-  return n >= 2 && spread > 1e-12 ? (n * sxy - sx * sy) / spread : kUnknown;
+  return n >= 2 && spread > 1e-12 ? (n * sxy - sx * sy) / spread : kNotMeasured;
 }
 
 void measure_growth(StudyWork& work) {

@@ -109,7 +109,7 @@ std::string html_chart(const Study& study) {
   std::vector<double> times, errors;
   bool zero = false;
   for (const MethodStudy& m : study.methods) {
-    const double time = m.cost.times.empty() ? kUnknown : m.cost.times[0].seconds * 1e3, error = m.quality.rmse;
+    const double time = m.cost.times.empty() ? kNotMeasured : m.cost.times[0].seconds * 1e3, error = m.quality.rmse;
     if (!(time > 0) || !std::isfinite(error)) continue;
     points.push_back({&m, time, error});
     times.push_back(time);

@@ -63,7 +63,7 @@ double masked_rmse(const Image& picture, const Image& reference, const Image& ma
     squared.add(difference * difference);
     ++count;
   }
-  return count > 0 ? std::sqrt(squared.value() / double(count)) : kUnknown;
+  return count > 0 ? std::sqrt(squared.value() / double(count)) : kNotMeasured;
 }
 
 Camera turned(const Camera& camera, Point3 centre, float angle) {
@@ -90,7 +90,7 @@ double flicker(std::span<const Image> pictures, std::span<const Image> reference
       ++count;
     }
   }
-  return count > 0 ? std::sqrt(squared.value() / double(count)) : kUnknown;
+  return count > 0 ? std::sqrt(squared.value() / double(count)) : kNotMeasured;
 }
 
 }  // namespace aktina

@@ -193,7 +193,7 @@ void measure_cost(StudyWork& work) {
   }
 }
 
-double seconds_of(const MethodStudy& m) { return m.cost.times.empty() ? kUnknown : m.cost.times[0].seconds; }
+double seconds_of(const MethodStudy& m) { return m.cost.times.empty() ? kNotMeasured : m.cost.times[0].seconds; }
 
 /// The Pareto front of error and time on one thread.
 void find_best(std::vector<MethodStudy>& methods) {

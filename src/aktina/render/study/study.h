@@ -12,7 +12,8 @@
 
 namespace aktina {
 
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // not measured, or without meaning here
+inline constexpr double kNotMeasured =
+    std::numeric_limits<double>::quiet_NaN();  // not measured, or without meaning here
 
 /// Families whose methods can be compared by pictures.
 inline constexpr std::string_view kStudyFamilies[] = {"shading",   "illumination", "normals", "integrator",
@@ -35,46 +36,48 @@ struct StudyOptions {
 
 /// Differences from the reference, of pictures exposed so that 1 is white.
 struct Quality {
-  double rmse = kUnknown, max_error = kUnknown;  // of linear values
-  double psnr = kUnknown;                        // dB, of what a screen shows; infinite where equal
-  double flip = kUnknown;                        // mean, of what a screen shows
-  double highlight_rmse = kUnknown;              // where the reference has highlights; unknown where it has none
+  double rmse = kNotMeasured, max_error = kNotMeasured;  // of linear values
+  double psnr = kNotMeasured;                            // dB, of what a screen shows; infinite where equal
+  double flip = kNotMeasured;                            // mean, of what a screen shows
+  double highlight_rmse = kNotMeasured;  // where the reference has highlights; unknown where it has none
   // Across edges that smooth triangles share, root of the mean square over all places, per pixel; of luminance.
-  double edge_jump = kUnknown;  // of the value
-  double mach_band = kUnknown;  // of the first derivative
-  double flicker = kUnknown;    // root of the mean square of the error's change from frame to frame, over a turn
-  uint64_t not_finite = 0;      // values
+  double edge_jump = kNotMeasured;  // of the value
+  double mach_band = kNotMeasured;  // of the first derivative
+  double flicker = kNotMeasured;    // root of the mean square of the error's change from frame to frame, over a turn
+  uint64_t not_finite = 0;          // values
 };
 
 /// Least seconds of a frame on `threads` threads.
 struct FrameTime {
   int threads = 1;
-  double seconds = kUnknown, setup_seconds = kUnknown, pixel_seconds = kUnknown;
+  double seconds = kNotMeasured, setup_seconds = kNotMeasured, pixel_seconds = kNotMeasured;
 };
 
 struct Cost {
-  std::vector<FrameTime> times;                                       // on one thread first, then on all
-  double ns_per_pixel = kUnknown, ns_per_triangle = kUnknown;         // one thread: pixels' half, set-up's half
-  double setup_evaluations = kUnknown, pixel_evaluations = kUnknown;  // of the model: per triangle, per pixel
-  double instructions_per_pixel = kUnknown;  // of the whole frame, one thread; unknown where the machine does not count
+  std::vector<FrameTime> times;                                               // on one thread first, then on all
+  double ns_per_pixel = kNotMeasured, ns_per_triangle = kNotMeasured;         // one thread: pixels' half, set-up's half
+  double setup_evaluations = kNotMeasured, pixel_evaluations = kNotMeasured;  // of the model: per triangle, per pixel
+  double instructions_per_pixel =
+      kNotMeasured;  // of the whole frame, one thread; unknown where the machine does not count
   std::optional<Operations> pixel_operations, triangle_operations;  // by the published form
 };
 
 /// Of an illumination model, with the coefficients of the scene's first material (illumination/energy.h).
 struct Energy {
-  double albedo_0 = kUnknown, albedo_60 = kUnknown, albedo_85 = kUnknown;  // luminance; seen at that many degrees
-  double reciprocity_error = kUnknown;                                     // 0: both ways along a path count the same
+  double albedo_0 = kNotMeasured, albedo_60 = kNotMeasured,
+         albedo_85 = kNotMeasured;          // luminance; seen at that many degrees
+  double reciprocity_error = kNotMeasured;  // 0: both ways along a path count the same
 };
 
 /// One step of a sweep.
 struct GrowthPoint {
   uint64_t triangles = 0, pixels = 0;
-  double seconds = kUnknown, setup_seconds = kUnknown, pixel_seconds = kUnknown, rmse = kUnknown;
+  double seconds = kNotMeasured, setup_seconds = kNotMeasured, pixel_seconds = kNotMeasured, rmse = kNotMeasured;
 };
 struct Growth {
   std::vector<GrowthPoint> over_triangles, over_pixels;
   // Slopes of log-log lines through the points.
-  double time_over_triangles = kUnknown, error_over_triangles = kUnknown, time_over_pixels = kUnknown;
+  double time_over_triangles = kNotMeasured, error_over_triangles = kNotMeasured, time_over_pixels = kNotMeasured;
 };
 
 /// What a paper or the literature says of a method, and what was measured here.

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "aktina/base/method.h"
+#include "aktina/illumination/illuminate.h"
 #include "aktina/trace/ray_scene.h"
 #include "aktina/trace/sampler.h"
 
@@ -34,6 +35,8 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Called once, before radiance().
   virtual void prepare(const RayScene& /*scene*/) {}
+  /// Called before, where depth cueing is asked for. @throws Error usage from methods that have none
+  virtual void set_depth_cue(const DepthCue& cue);
   /// One estimate for each query; the same queries give the same estimates. From any thread.
   /// @param coherent  neighbouring rays go together
   virtual void radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,

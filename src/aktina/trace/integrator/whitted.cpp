@@ -61,6 +61,7 @@ class Whitted final : public Integrator {
  public:
   explicit Whitted(const Rules& rules) : rules_(rules) {}
   void prepare(const RayScene& scene) override { lamps_ = scene_lights(scene.scene); }
+  void set_depth_cue(const DepthCue& cue) override { cue_ = cue; }
   void radiance(const RayScene& scene, std::span<const RadianceQuery> queries, bool coherent,
                 std::span<RadianceEstimate> out, RayCounts& counts) const override;
 
@@ -72,17 +73,19 @@ class Whitted final : public Integrator {
 
   Rules rules_;
   SceneLights lamps_;
+  DepthCue cue_;
 };
 
 void Whitted::light(Work& work, const Node& node, const ShadingPoint& point) const {
   static const IlluminationModel kModel = Phong{};
+  const float cue = cue_.at(point.position);
   for (size_t i = 0; i < lamps_.lights.size(); ++i) {
     const int instance = lamps_.instance[i];
     if (instance == int(point.instance)) continue;
     const LightSample s = sample(lamps_.lights[i], point.position);
     if (!(dot(s.wi, point.geometric) > 0)) continue;
     const Rgb f = brdf_cosine(kModel, *point.surface, point.normal, s.wi, point.wo).total();
-    const Rgb arrives = node.weight * f * s.e_perp.v;
+    const Rgb arrives = node.weight * f * s.e_perp.v * cue;
     if (is_black(arrives)) continue;
     const Point3 from = offset_point(point.position, point.geometric);
     const bool distant = !(s.distance < kInfinity);
