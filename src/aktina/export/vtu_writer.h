@@ -9,32 +9,12 @@
 #include <vector>
 
 #include "aktina/base/error.h"
+#include "aktina/base/markup.h"
 #include "aktina/base/quantity.h"
 #include "aktina/base/vec.h"
 #include "aktina/export/export.h"
 
 namespace aktina {
-
-inline std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
 
 class VtuWriter {
  public:

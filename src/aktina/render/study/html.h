@@ -8,9 +8,6 @@
 
 namespace aktina {
 
-/// With <, >, &, " and ' as entities; valid UTF-8.
-std::string escaped(std::string_view text);
-
 /// Three digits; a dash for what is not known.
 std::string shown(double value);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "aktina/base/error.h"
+#include "aktina/base/markup.h"
 #include "aktina/base/version.h"
 #include "aktina/render/study/html.h"
 #include "aktina/render/study/output.h"
@@ -44,32 +45,6 @@ std::string contents(std::span<const Study> studies) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : one_line(text)) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string study_html(std::span<const Study> studies) {
   std::string sections;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aktina/base/markup.h"
 #include "aktina/image/codec.h"
 #include "aktina/image/metric.h"
 #include "aktina/render/study/html.h"

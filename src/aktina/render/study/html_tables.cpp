@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aktina/base/markup.h"
 #include "aktina/render/study/columns.h"
 #include "aktina/render/study/html.h"
 
