@@ -10,16 +10,11 @@
 namespace aktina {
 namespace {
 
-class ByCells final : public FormFactorMethod {
+class ByCells final : public FaceRaysMethod {
  public:
   ByCells(std::vector<DirectionCell> cells, uint32_t points, uint32_t seed)
       : cells_(std::move(cells)), points_(points), seed_(seed) {
     for (const DirectionCell& cell : cells_) largest_ = std::max(largest_, cell.factor);
-  }
-
-  void build(const FormFactorScene& scene) override {
-    faces_ = Faces(scene);
-    rays_.build(faces_);
   }
 
   FormFactorRow row(size_t i) const override {
@@ -80,8 +75,6 @@ class ByCells final : public FormFactorMethod {
   std::vector<DirectionCell> cells_;
   double largest_ = 0;
   uint32_t points_, seed_;
-  Faces faces_;
-  FaceRays rays_;
 };
 
 }  // namespace

@@ -31,6 +31,19 @@ class FaceRays {
   std::vector<uint32_t> owners_;
 };
 
+/// A method that sends rays among the faces.
+class FaceRaysMethod : public FormFactorMethod {
+ public:
+  void build(const FormFactorScene& scene) override {
+    faces_ = Faces(scene);
+    rays_.build(faces_);
+  }
+
+ protected:
+  Faces faces_;
+  FaceRays rays_;
+};
+
 /// The point of a face at two numbers in [0, 1), uniform by area; stratified numbers give stratified points.
 Point3d point_on(const Face& face, Vec2d u);
 

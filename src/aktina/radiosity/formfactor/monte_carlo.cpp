@@ -13,14 +13,9 @@
 namespace aktina {
 namespace {
 
-class MonteCarlo final : public FormFactorMethod {
+class MonteCarlo final : public FaceRaysMethod {
  public:
   MonteCarlo(uint32_t samples, uint32_t seed) : packets_((samples + kPacket - 1) / kPacket), seed_(seed) {}
-
-  void build(const FormFactorScene& scene) override {
-    faces_ = Faces(scene);
-    rays_.build(faces_);
-  }
 
   FormFactorRow row(size_t i) const override {
     check_surface(faces_, i);
@@ -64,8 +59,6 @@ class MonteCarlo final : public FormFactorMethod {
   }
 
   uint32_t packets_, seed_;
-  Faces faces_;
-  FaceRays rays_;
 };
 
 constexpr Param kParams[] = {

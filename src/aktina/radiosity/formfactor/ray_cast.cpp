@@ -22,14 +22,9 @@ struct Receiver {
   Vec3d n;
 };
 
-class RayCast final : public FormFactorMethod {
+class RayCast final : public FaceRaysMethod {
  public:
   RayCast(uint32_t points, uint32_t samples, uint32_t seed) : points_(points), samples_(samples), seed_(seed) {}
-
-  void build(const FormFactorScene& scene) override {
-    faces_ = Faces(scene);
-    rays_.build(faces_);
-  }
 
   FormFactorRow row(size_t i) const override {
     check_surface(faces_, i);
@@ -108,8 +103,6 @@ class RayCast final : public FormFactorMethod {
   }
 
   uint32_t points_, samples_, seed_;
-  Faces faces_;
-  FaceRays rays_;
 };
 
 constexpr Param kParams[] = {{"points", "1", "receiving points on each surface", 256, 1, 65536, true},

@@ -120,11 +120,9 @@ void CoarsePatches::list_sides(const std::vector<uint8_t>& buried) {
       areas_[patch] += double(all_.mesh().areas[all_.patch(s)]);
       sides_.push_back(s), sums_.push_back(float(areas_[patch]));
     });
-    first_side_.push_back(uint32_t(sides_.size()));
-    find_middle(patch);
-    first_side_.pop_back();
   }
   first_side_.push_back(uint32_t(sides_.size()));
+  for (uint32_t patch = 0; patch < size(); ++patch) find_middle(patch);
 }
 
 void CoarsePatches::find_middle(size_t patch) {

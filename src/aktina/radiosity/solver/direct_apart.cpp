@@ -11,7 +11,6 @@ namespace {
 
 constexpr size_t kMostEmitters = 256;  // the brightest; what the others emit goes with the indirect light
 constexpr double kEmitterSize = 4;     // coarse patches: they are seen by many, so they are fewer
-constexpr double kWeights[3] = {0.2126, 0.7152, 0.0722};  // luminance()
 
 double total_area(const PatchMesh& mesh) {
   double sum = 0;
@@ -60,22 +59,20 @@ void DirectApart::shoot_emitters(double size, const RadiosityOptions& options, P
                                  RadiosityProblem& all) {
   const CoarsePatches clusters(sides_, size, buried_);
   const std::vector<double> means = clusters.means(all.emissions, 3);
+  const auto exitance = [&](uint32_t i) {
+    return Rgb(float(means[3 * i]), float(means[3 * i + 1]), float(means[3 * i + 2]));
+  };
   std::vector<std::pair<double, uint32_t>> powers;
-  for (uint32_t i = 0; i < clusters.size(); ++i) {
-    double power = 0;
-    for (size_t b = 0; b < 3; ++b) power += clusters.area(i) * kWeights[b] * means[3 * i + b];
-    if (power > 0) powers.emplace_back(-power, i);
-  }
+  for (uint32_t i = 0; i < clusters.size(); ++i)
+    if (const double power = clusters.area(i) * double(luminance(exitance(i))); power > 0)
+      powers.emplace_back(-power, i);
   std::sort(powers.begin(), powers.end());
   powers.resize(std::min(powers.size(), kMostEmitters));
   std::vector<uint32_t> emitters;
   std::vector<Rgb> exitances;
   for (const auto& [power, i] : powers) {
-    emitters.push_back(i), exitances.emplace_back();
-    for (size_t b = 0; b < 3; ++b) {
-      exitances.back()[int(b)] = float(means[3 * i + b]);
-      for (const uint32_t s : clusters.sides(i)) all.emissions[3 * s + b] = 0;
-    }
+    emitters.push_back(i), exitances.push_back(exitance(i));
+    for (const uint32_t s : clusters.sides(i)) std::fill_n(&all.emissions[3 * s], 3, 0.0);
   }
   if (!emitters.empty())
     add_emitter_light(ShotGeometry(sides_, clusters, true), visibility_, emitters, exitances,

@@ -9,7 +9,7 @@
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
 #include "aktina/radiosity/formfactor/polygon_to_polygon.h"
-#include "aktina/radiosity/formfactor/shadow.h"
+#include "aktina/radiosity/viewfactor/clipped_share.h"
 #include "aktina/radiosity/viewfactor/kernels.h"
 #include "aktina/radiosity/viewfactor/leaf_pair.h"
 #include "aktina/radiosity/viewfactor/receiver_points.h"
@@ -21,10 +21,6 @@ namespace {
 constexpr double kSinglePrecision = 1e-5;  // targets from here on are met by floats
 constexpr size_t kMostClipped = 24;        // blockers between two fragments beyond which rays are faster
 constexpr double kRayError = 2.5e-3;       // of a share, that rays come down to
-constexpr double kBetweenPoints = 1e-3;    // of a share, that sixteen points may miss; measured
-constexpr double kSixteenPoints = 0.05;    // of a share, by which they may be wrong where a shadow's edge passes
-constexpr int kMostHalvings = 8;
-constexpr size_t kMostCells = 6000;  // for one pair
 
 /// What all pairs share.
 struct Setting {
@@ -266,7 +262,10 @@ class LeafPair {
     const double smaller = std::min(fragment(*receiver_, r).face.area, fragment(*source_, s).face.area);
     const double wanted = 0.25 * setting_.target * smaller / open.value;  // of the visible share
     Estimate share{0, 1};
-    if (!crowded_ && blockers_between_ <= kMostClipped) share = by_clipping(part, s, wanted, wanted < kRayError);
+    if (!crowded_ && blockers_between_ <= kMostClipped)
+      share = visible_share_by_clipping<T>(
+          {parts_[s], receiver_->plane.normal, origin_, setting_.unit, setting_.tolerance, between_, contours_between_},
+          part, wanted, wanted < kRayError);
     if (share.error > wanted) {
       const Estimate sent = setting_.rays.visible_share(part, receiver_->plane.normal, parts_[s], source_->plane.normal,
                                                         wanted, hash_combine(receiver_->first + r, source_->first + s));
@@ -278,75 +277,6 @@ class LeafPair {
       share.value = 1;
     }
     return {open.value * share.value, open.error + open.value * share.error};
-  }
-
-  /// Integrals over a cell: unobstructed; what is certainly seen; what may be seen.
-  struct Shares {
-    double whole = 0, low = 0, high = 0;
-    double seen() const { return 0.5 * (low + high); }
-    void operator+=(const Shares& other) { whole += other.whole, low += other.low, high += other.high; }
-  };
-
-  /// The visible share: cells of the receiver are cut in four until four agree with one.
-  /// @param exact  where shadows of several blockers overlap at a point their union is found (slow), else they are left
-  ///               uncertain
-  Estimate by_clipping(const Contour& part, uint32_t s, double wanted, bool exact) {
-    source_index_ = s, exact_ = exact;
-    polygon_.count = int(parts_[s].size());
-    for (int k = 0; k < polygon_.count; ++k) store(polygon_.corners[k], parts_[s][size_t(k)]);
-    const std::vector<Cell> cells = cells_of(part);
-    std::vector<Shares> coarse;
-    Shares first;
-    for (const Cell& cell : cells) first += coarse.emplace_back(look_from(cell));
-    if (!(first.whole > 0)) return {1, 0};
-    // Where sixteen points see no shadow or nothing else, a corner of one may still pass between them.
-    const bool uniform = first.low >= (1 - 1e-5) * first.whole || first.high <= 1e-5 * first.whole;
-    if (uniform && kBetweenPoints <= wanted) return {first.seen() / first.whole, kBetweenPoints};
-    const double uncertain = kSixteenPoints + 0.5 * (first.high - first.low) / first.whole;
-    if (uncertain <= 0.5 * wanted) return {first.seen() / first.whole, uncertain};
-    if (first.high - first.low > 2 * std::max(wanted, 1e-3) * first.whole && !exact) return {0, 1};
-    cells_left_ = kMostCells;
-    least_halvings_ = wanted < 1e-5 ? 2 : wanted < 1e-3 ? 1 : 0;  // two sums may agree by chance
-    Shares sum;
-    double error = uniform ? 0.04 * kBetweenPoints * first.whole : 0;
-    for (size_t k = 0; k < cells.size(); ++k) refine(cells[k], coarse[k], 0.5 * wanted * first.whole, 0, sum, error);
-    return {sum.seen() / sum.whole, (error + 0.5 * (sum.high - sum.low)) / sum.whole};
-  }
-
-  void refine(const Cell& cell, const Shares& coarse, double allowed, int halvings, Shares& sum, double& error) {
-    std::array<Shares, 4> quarters;
-    Shares fine;
-    for (int k = 0; k < 4; ++k) fine += quarters[size_t(k)] = look_from(cell.quarter(k));
-    cells_left_ -= std::min<size_t>(cells_left_, 4);
-    // Of the share, for the rule that both sums follow is not exact for the unobstructed factor either.
-    const double difference =
-        std::abs(fine.seen() - (coarse.whole > 0 ? coarse.seen() / coarse.whole * fine.whole : 0));
-    if ((difference <= allowed && halvings >= least_halvings_) || halvings == kMostHalvings || cells_left_ == 0) {
-      sum += fine, error += difference;
-      return;
-    }
-    for (int k = 0; k < 4; ++k) refine(cell.quarter(k), quarters[size_t(k)], 0.5 * allowed, halvings + 1, sum, error);
-  }
-
-  Shares look_from(const Cell& cell) {
-    const std::array<SurfaceSample, kLeaf> samples = gauss_points(cell);
-    PointLanes<T> lanes;
-    for (size_t k = 0; k < kLeaf; ++k)
-      for (int axis = 0; axis < 3; ++axis) lanes.x[axis][k] = T((samples[k].x[axis] - origin_[axis]) / setting_.unit);
-    Seen<T> seen;
-    look(lanes, normal_, polygon_, between_.data(), between_.size(), seen);
-    Shares shares;
-    for (size_t k = 0; k < kLeaf; ++k) {
-      const double whole = double(seen.whole[k]), hidden = double(seen.hidden[k]), most = double(seen.most[k]);
-      if (!(whole > 0)) continue;
-      double low = std::max(0.0, whole - hidden), high = std::max(0.0, whole - most);
-      if (exact_ && high - low > 1e-6 * whole)
-        low = high = visible_part(samples[k].x, receiver_->plane.normal, {&parts_[source_index_], 1}, contours_between_,
-                                  setting_.tolerance)
-                         .visible;
-      shares += {samples[k].area * whole, samples[k].area * low, samples[k].area * high};
-    }
-    return shares;
   }
 
   const Setting& setting_;
@@ -369,11 +299,7 @@ class LeafPair {
   // Of one pair.
   std::vector<BlockingPolygon<T>> between_;
   std::vector<Contour> contours_between_;
-  size_t blockers_between_ = 0, cells_left_ = 0;
-  SourcePolygon<T> polygon_{};
-  uint32_t source_index_ = 0;
-  bool exact_ = false;
-  int least_halvings_ = 0;
+  size_t blockers_between_ = 0;
   std::vector<SurfaceSample> samples_;
   std::vector<ReceiverPoint<T>> points_;
 };

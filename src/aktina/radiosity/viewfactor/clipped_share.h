@@ -1,0 +1,31 @@
+// What a receiver sees of a source past blockers, by cutting their shadows out at points of the receiver.
+#pragma once
+
+#include <span>
+
+#include "aktina/radiosity/viewfactor/kernels.h"
+#include "aktina/radiosity/viewfactor/sight_rays.h"
+
+namespace aktina {
+
+/// A source in front of a receiver's plane, and what stands between.
+template <class T>
+struct ObstructedSource {
+  const Contour& source;
+  Vec3d normal;            // of the receiver
+  Point3d origin;          // of the blocking polygons' coordinates,
+  double unit, tolerance;  // and their unit, m
+  std::span<const BlockingPolygon<T>> blocking;
+  std::span<const Contour> contours;  // of the same polygons
+};
+
+/// The visible share of what leaves the receiver for the source: cells of the receiver are cut in four until four agree
+/// with one.
+/// @param wanted  error of the share
+/// @param exact   where shadows of several blockers overlap at a point their union is found (slow), else they are left
+///                uncertain
+template <class T>
+Estimate visible_share_by_clipping(const ObstructedSource<T>& between, const Contour& receiver, double wanted,
+                                   bool exact);
+
+}  // namespace aktina
