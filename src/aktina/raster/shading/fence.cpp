@@ -5,8 +5,6 @@
 //
 // As A. Hast, T. Barrera, E. Bengtsson describe it: "Approximated Phong Shading by using the Euler Method",
 // Eurographics 2001 (short presentations).
-#include <algorithm>
-
 #include "aktina/raster/shading/span.h"
 
 namespace aktina {
@@ -20,9 +18,7 @@ class FenceShading final : public ShadingMethod {
 
   void shade_spans(const TriangleGroup& triangles, int lane, std::span<const Span> spans, const Illuminator& light,
                    const LitArrays& out) const override {
-    for (size_t first = 0; first < spans.size(); first += SpanEnds::kSpans) {
-      const auto some = spans.subspan(first, std::min(SpanEnds::kSpans, spans.size() - first));
-      const SpanEnds ends(triangles, lane, some);
+    for_span_ends(triangles, lane, spans, linear, [&](std::span<const Span> some, const SpanEnds& ends) {
       Lanes lit[6];
       light.evaluate({2 * some.size(),
                       {ends.position[0].v, ends.position[1].v, ends.position[2].v},
@@ -33,7 +29,7 @@ class FenceShading final : public ShadingMethod {
         for (int k = 0; k < 6; ++k) left[k] = lit[k][2 * i], right[k] = lit[k][2 * i + 1];
         fill_linear(some[i], left, right, out);
       }
-    }
+    });
   }
 };
 

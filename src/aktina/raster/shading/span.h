@@ -1,6 +1,8 @@
 // Spans of triangles on scanlines, and what methods read at their ends.
 #pragma once
 
+#include <algorithm>
+
 #include "aktina/raster/shading/shading_method.h"
 
 namespace aktina {
@@ -24,6 +26,16 @@ struct SpanEnds {
   Point3 position_of(size_t end) const { return {position[0][end], position[1][end], position[2][end]}; }
   Vec3 normal_of(size_t end) const { return {normal[0][end], normal[1][end], normal[2][end]}; }
 };
+
+/// Calls body(some, ends) for all spans, eight at a time: some of them, and their ends.
+template <class Body>
+void for_span_ends(const TriangleGroup& triangles, int lane, std::span<const Span> spans, NormalBetween between,
+                   Body&& body) {
+  for (; !spans.empty(); spans = spans.subspan(std::min(SpanEnds::kSpans, spans.size()))) {
+    const auto some = spans.first(std::min(SpanEnds::kSpans, spans.size()));
+    body(some, SpanEnds(triangles, lane, some, between));
+  }
+}
 
 /// Where pixel centres are along a span: t = start + i step for pixel i; within 0 .. 1 where centres are within.
 struct SpanSteps {

@@ -71,15 +71,13 @@ ShadingPlan CosineShading::plan(const Illuminator& light) const {
 void CosineShading::shade_spans(const TriangleGroup& triangles, int lane, std::span<const Span> spans,
                                 const Illuminator& light, const LitArrays& out) const {
   const CosineModel model = cosine_model(light);
-  for (size_t first = 0; first < spans.size(); first += SpanEnds::kSpans) {
-    const auto some = spans.subspan(first, std::min(SpanEnds::kSpans, spans.size() - first));
-    const SpanEnds both(triangles, lane, some, on_edges_);
+  for_span_ends(triangles, lane, spans, on_edges_, [&](std::span<const Span> some, const SpanEnds& both) {
     for (size_t i = 0; i < some.size(); ++i) {
       const Ends ends(both, i, light);
       if (light.lights().empty()) fill_ambient(some[i], light.surface().ka * light.ambient(), out);
       for (const Light& lamp : light.lights()) light_span(light_of(some[i], model, light, ends, lamp), out);
     }
-  }
+  });
 }
 
 }  // namespace aktina

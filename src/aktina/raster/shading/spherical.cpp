@@ -24,13 +24,11 @@ class SphericalShading final : public ShadingMethod {
 
   void shade_spans(const TriangleGroup& triangles, int lane, std::span<const Span> spans, const Illuminator& light,
                    const LitArrays& out) const override {
-    for (size_t first = 0; first < spans.size(); first += SpanEnds::kSpans) {
-      const auto some = spans.subspan(first, std::min(SpanEnds::kSpans, spans.size() - first));
-      const SpanEnds ends(triangles, lane, some, slerp);
+    for_span_ends(triangles, lane, spans, slerp, [&](std::span<const Span> some, const SpanEnds& ends) {
       for (size_t i = 0; i < some.size(); ++i)
         for (size_t done = 0; done < size_t(some[i].count); done += kPiece)
           shade_piece(ends, i, some[i], done, std::min(kPiece, size_t(some[i].count) - done), light, out);
-    }
+    });
   }
 
  private:

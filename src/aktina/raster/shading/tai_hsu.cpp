@@ -14,9 +14,7 @@ namespace aktina {
 namespace {
 
 /// The fence: highlights at both ends of at most eight spans, linear between them.
-void draw_fence(const TriangleGroup& t, int lane, std::span<const Span> spans, const Illuminator& light,
-                const LitArrays& out) {
-  const SpanEnds ends(t, lane, spans);
+void draw_fence(std::span<const Span> spans, const SpanEnds& ends, const Illuminator& light, const LitArrays& out) {
   Lanes diffuse[3], specular[3];
   light.evaluate({kLanes,
                   {ends.position[0].v, ends.position[1].v, ends.position[2].v},
@@ -50,8 +48,9 @@ class TaiHsuShading final : public ShadingMethod {
       shade_linear(corners, pixels, !strong && !weak, out);
       if (strong) shade_highlights(corners, pixels, 0, pixels.count, light, out);
     });
-    for (size_t first = 0; weak && first < spans.size(); first += SpanEnds::kSpans)
-      draw_fence(t, lane, spans.subspan(first, std::min(SpanEnds::kSpans, spans.size() - first)), light, out);
+    if (weak)
+      for_span_ends(t, lane, spans, linear,
+                    [&](std::span<const Span> some, const SpanEnds& ends) { draw_fence(some, ends, light, out); });
   }
 
  private:
