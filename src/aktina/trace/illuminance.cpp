@@ -46,6 +46,20 @@ void estimate_illuminance(const RayScene& scene, const Integrator& integrator,
       shadows.trace(scene, Coherence::incoherent, [&](const ShadowRay& ray) { out[ray.query] += ray.light; });
 }
 
+void sum_illuminance(const RayScene& scene, const Integrator& integrator, std::span<const Point3> points,
+                     std::span<const Vec3> normals, size_t begin, size_t end, int first, int last, uint32_t seed,
+                     std::span<Rgb> sums) {
+  std::vector<IlluminanceQuery> queries;
+  for (size_t i = begin; i < end; ++i)
+    for (int s = first; s < last; ++s)
+      queries.push_back({points[i], normals[i], {hash_combine(seed, hash32(uint32_t(i))), uint32_t(s)}});
+  std::vector<Rgb> estimates(queries.size());
+  RayCounts counts;
+  estimate_illuminance(scene, integrator, queries, estimates, counts);
+  for (size_t i = begin, k = 0; i < end; ++i)
+    for (int s = first; s < last; ++s) sums[i - begin] += estimates[k++];
+}
+
 std::vector<Irradiance> illuminance(const Scene& scene, std::span<const Point3> points, std::span<const Vec3> normals,
                                     const TraceOptions& options, Progress* progress) {
   if (points.size() != normals.size())
@@ -54,16 +68,9 @@ std::vector<Irradiance> illuminance(const Scene& scene, std::span<const Point3> 
   const auto integrator = make_integrator(prepared, options);
   std::vector<Irradiance> result(points.size());
   sample_batches(points.size(), options, progress, [&](size_t begin, size_t end, int first, int last) {
-    std::vector<IlluminanceQuery> queries;
-    for (size_t i = begin; i < end; ++i)
-      for (int s = first; s < last; ++s)
-        queries.push_back({points[i], normals[i], {hash_combine(options.seed, hash32(uint32_t(i))), uint32_t(s)}});
-    std::vector<Rgb> estimates(queries.size());
-    RayCounts counts;
-    estimate_illuminance(prepared, *integrator, queries, estimates, counts);
-    const float share = 1 / float(options.samples);
-    for (size_t i = begin, k = 0; i < end; ++i)
-      for (int s = first; s < last; ++s) result[i].v += estimates[k++] * share;
+    std::vector<Rgb> sums(end - begin);
+    sum_illuminance(prepared, *integrator, points, normals, begin, end, first, last, options.seed, sums);
+    for (size_t i = begin; i < end; ++i) result[i].v += sums[i - begin] / float(options.samples);
   });
   return result;
 }

@@ -49,4 +49,9 @@ struct IlluminanceQuery {
 void estimate_illuminance(const RayScene& scene, const Integrator& integrator,
                           std::span<const IlluminanceQuery> queries, std::span<Rgb> out, RayCounts& counts);
 
+/// Adds samples [first, last) of points [begin, end) up: sums[i - begin] is that of point i.
+void sum_illuminance(const RayScene& scene, const Integrator& integrator, std::span<const Point3> points,
+                     std::span<const Vec3> normals, size_t begin, size_t end, int first, int last, uint32_t seed,
+                     std::span<Rgb> sums);
+
 }  // namespace aktina

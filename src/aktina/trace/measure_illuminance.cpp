@@ -39,7 +39,8 @@ class Meter {
  public:
   Meter(const RayScene& scene, const MeasureOptions& options, std::span<const Point3> points,
         std::span<const Vec3> normals)
-      : scene_(scene), options_(options), points_(points), normals_(normals), measured_(outside(scene, points)) {
+      : scene_(scene), options_(options), asked_(points.size()), measured_(outside(scene, points)) {
+    for (const uint32_t at : measured_) points_.push_back(points[at]), normals_.push_back(normals[at]);
     integrator_ = make_integrator(scene, {.integrator = options.integrator});
     statistics_.resize(measured_.size());
   }
@@ -50,17 +51,9 @@ class Meter {
     const uint32_t seed = hash_combine(options_.seed, hash32(number));
     parallel_for(measured_.size(), 16, [&](size_t begin, size_t end) {
       if (progress) progress->throw_if_cancelled();
-      std::vector<IlluminanceQuery> queries;
-      for (size_t i = begin; i < end; ++i) {
-        const uint32_t at = measured_[i];
-        for (uint32_t s = 0; s < kRound; ++s)
-          queries.push_back({points_[at], normals_[at], {hash_combine(seed, hash32(at)), s}});
-      }
-      std::vector<Rgb> estimates(queries.size());
-      RayCounts counts;
-      estimate_illuminance(scene_, *integrator_, queries, estimates, counts);
-      for (size_t i = begin, k = 0; i < end; ++i)
-        for (int s = 0; s < kRound; ++s) values[i] += double(luminance(estimates[k++])) / kRound;
+      std::vector<Rgb> sums(end - begin);
+      sum_illuminance(scene_, *integrator_, points_, normals_, begin, end, 0, kRound, seed, sums);
+      for (size_t i = begin; i < end; ++i) values[i] = double(luminance(sums[i - begin])) / kRound;
     });
     for (size_t i = 0; i < values.size(); ++i) statistics_[i].add(values[i]);
   }
@@ -74,11 +67,11 @@ class Meter {
 
   Measurement result() const {
     Measurement m;
-    m.lux.assign(points_.size(), std::numeric_limits<double>::quiet_NaN());
+    m.lux.assign(asked_, std::numeric_limits<double>::quiet_NaN());
     m.standard_errors = m.lux;
     for (size_t i = 0; i < measured_.size(); ++i)
       m.lux[measured_[i]] = statistics_[i].mean(), m.standard_errors[measured_[i]] = statistics_[i].standard_error();
-    m.inside = points_.size() - measured_.size();
+    m.inside = asked_ - measured_.size();
     m.error = error();
     m.reached = m.error <= options_.target_error;
     return m;
@@ -87,9 +80,10 @@ class Meter {
  private:
   const RayScene& scene_;
   const MeasureOptions& options_;
-  std::span<const Point3> points_;
-  std::span<const Vec3> normals_;
-  std::vector<uint32_t> measured_;
+  size_t asked_;
+  std::vector<uint32_t> measured_;  // their places among those that were asked for
+  std::vector<Point3> points_;      // of those
+  std::vector<Vec3> normals_;
   std::unique_ptr<Integrator> integrator_;
   std::vector<RunningStatistics> statistics_;
 };
