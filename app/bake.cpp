@@ -31,14 +31,7 @@ int run(const Arguments& arguments, Session& session) {
 }
 
 constexpr Option kBakeOptions[] = {
-    {.name = "output",
-     .help = "the lit model: .glb, or .gltf with a .bin beside it; may be given again",
-     .kind = Kind::file,
-     .value = "FILE",
-     .letter = 'o',
-     .required = true,
-     .several = true,
-     .affects_result = false},
+    result_files("the lit model: .glb, or .gltf with a .bin beside it; may be given again"),
     {.name = "exposure",
      .help =
          "factor from radiance in cd/m^2 to vertex colours; 0: the largest at which no more than 1 % of the area clips",

@@ -80,13 +80,8 @@ int run(const Arguments& arguments, Session& session) {
 }
 
 constexpr Option kOptions[] = {
-    {.name = "output",
-     .help = "a line a point (.csv), for ParaView (.vtu), false colours of a grid (.png); may be given again",
-     .kind = Kind::file,
-     .value = "FILE",
-     .letter = 'o',
-     .several = true,
-     .affects_result = false},
+    result_files("a line a point (.csv), for ParaView (.vtu), false colours of a grid (.png); may be given again",
+                 false),
     {.name = "plane",
      .help = "height in metres, above the lowest point, of a horizontal work plane over the whole scene",
      .kind = Kind::number,

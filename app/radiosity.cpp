@@ -43,15 +43,9 @@ int run(const Arguments& arguments, Session& session) {
 }
 
 constexpr Option kOutputs[] = {
-    {.name = "output",
-     .help = "the solution: .aktina (all of it), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (lit model); "
-             "may be given again",
-     .kind = Kind::file,
-     .value = "FILE",
-     .letter = 'o',
-     .required = true,
-     .several = true,
-     .affects_result = false},
+    result_files(
+        "the solution: .aktina (all of it), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (lit model); "
+        "may be given again"),
 };
 constexpr auto kOptions = joined(kOutputs, kRadiosityOptions);
 constexpr Example kExamples[] = {

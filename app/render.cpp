@@ -95,14 +95,7 @@ int run(const Arguments& arguments, Session& session) {
 }
 
 constexpr Option kPictureOptions[] = {
-    {.name = "output",
-     .help = "the picture: .png (exposed, sRGB), .exr (linear, with layers), .hdr or .pfm; may be given again",
-     .kind = Kind::file,
-     .value = "FILE",
-     .letter = 'o',
-     .required = true,
-     .several = true,
-     .affects_result = false},
+    result_files("the picture: .png (exposed, sRGB), .exr (linear, with layers), .hdr or .pfm; may be given again"),
     {.name = "method",
      .help = "how light is computed; parameters follow a colon, as path:depth=8",
      .kind = Kind::method,

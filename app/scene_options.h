@@ -17,6 +17,18 @@ inline constexpr Option kSceneInput[] = {
      .required = true},
 };
 
+/// -o FILE, as often as there are formats to write.
+constexpr Option result_files(std::string_view help, bool required = true) {
+  return {.name = "output",
+          .help = help,
+          .kind = Kind::file,
+          .value = "FILE",
+          .letter = 'o',
+          .required = required,
+          .several = true,
+          .affects_result = false};
+}
+
 inline constexpr Option kUnits = {.name = "units",
                                   .help = "metres that one unit of the file stands for; 0: as its format says",
                                   .kind = Kind::number,

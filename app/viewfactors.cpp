@@ -85,15 +85,9 @@ constexpr Option kModel[] = {
      .required = true},
 };
 constexpr Option kOptions[] = {
-    {.name = "output",
-     .help = "the matrix: .npz (NumPy, SciPy), .h5 (HDF5), .csv, .vtu (ParaView), .txt (View3D's format); may be given "
-             "again",
-     .kind = Kind::file,
-     .value = "FILE",
-     .letter = 'o',
-     .required = true,
-     .several = true,
-     .affects_result = false},
+    result_files(
+        "the matrix: .npz (NumPy, SciPy), .h5 (HDF5), .csv, .vtu (ParaView), .txt (View3D's format); may be given "
+        "again"),
     {.name = "target-error",
      .help = "wanted absolute error of each view factor",
      .kind = Kind::number,
