@@ -11,29 +11,21 @@
 #include "aktina/import/import.h"
 #include "aktina/import/polygon.h"
 #include "aktina/import/text.h"
+#include "import/reading.h"
 #include "test_files.h"
 
 namespace aktina {
 namespace {
 
-std::span<const uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
-ImportOptions bare() {
-  ImportOptions options;
-  options.default_camera = options.default_light = false;
-  return options;
-}
+using test::bare;
+using test::bytes_of;
+using test::warned;
+
 Scene obj(std::string_view text, const Path& folder = {}) { return read_obj(bytes_of(text), folder, "a.obj", bare()); }
 Scene ply(std::string_view text) { return read_ply(bytes_of(text), "a.ply", bare()); }
 Scene stl(std::string_view text) { return read_stl(bytes_of(text), "a.stl", bare()); }
 Scene off(std::string_view text) { return read_off(bytes_of(text), "a.off", bare()); }
 
-uint64_t warned(const Scene& scene, std::string_view part) {
-  for (const auto& item : scene.warnings.items())
-    if (item.text.find(part) != std::string::npos) return item.count;
-  return 0;
-}
 double area(const Mesh& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles) sum += 0.5 * double(length(triangle_cross(mesh, t)));

@@ -10,16 +10,14 @@
 #include "aktina/import/import.h"
 #include "import/assimp/binary_fbx.h"
 #include "import/assimp/sample_files.h"
+#include "import/reading.h"
 
 namespace aktina {
 namespace {
 
 using assimp::Sink;
 using assimp::Source;
-
-std::span<const uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
+using test::bytes_of;
 
 /// A scene or an Error of one line; anything else ends the test.
 template <class Read>

@@ -9,6 +9,7 @@
 #include "aktina/import/import.h"
 #include "import/assimp/binary_fbx.h"
 #include "import/assimp/sample_files.h"
+#include "import/reading.h"
 #include "test_files.h"
 
 namespace aktina {
@@ -16,14 +17,10 @@ namespace {
 
 constexpr float kInch = 0.0254f;  // m
 
-std::span<const uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
-ImportOptions bare() {
-  ImportOptions options;
-  options.default_camera = options.default_light = false;
-  return options;
-}
+using test::bare;
+using test::bytes_of;
+using test::warned;
+
 Scene fbx(const Path& folder = "/nowhere", const ImportOptions& options = bare()) {
   return read_fbx(bytes_of(test::kFbx), folder, "a.fbx", options);
 }
@@ -34,11 +31,6 @@ Scene max3ds(const ImportOptions& options = bare()) {
   return read_3ds(bytes_of(test::max3ds_file()), "/nowhere", "a.3ds", options);
 }
 
-uint64_t warned(const Scene& scene, std::string_view part) {
-  for (const auto& item : scene.warnings.items())
-    if (item.text.find(part) != std::string::npos) return item.count;
-  return 0;
-}
 void expect_near(Vec3 a, Vec3 b, float tolerance = 1e-4f) {
   EXPECT_NEAR(a.x, b.x, tolerance);
   EXPECT_NEAR(a.y, b.y, tolerance);

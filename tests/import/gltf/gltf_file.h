@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "aktina/base/error.h"
-#include "aktina/import/import.h"
+#include "import/reading.h"
 
 namespace aktina::test {
 
@@ -80,12 +80,5 @@ class GltfFile {
  private:
   std::vector<uint8_t> binary_;
 };
-
-/// How often a warning with that part was counted.
-inline uint64_t warned(const Scene& scene, std::string_view part) {
-  for (const auto& item : scene.warnings.items())
-    if (item.text.find(part) != std::string::npos) return item.count;
-  return 0;
-}
 
 }  // namespace aktina::test

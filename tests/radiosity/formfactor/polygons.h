@@ -1,12 +1,15 @@
 // Polygons that tests of form factors start from, and slow integrals that they are held to.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "aktina/radiosity/formfactor/face.h"
+#include "aktina/radiosity/formfactor/matrix.h"
 #include "aktina/radiosity/formfactor/quadrature.h"
 
 namespace aktina {
@@ -52,6 +55,16 @@ inline double brute_exchange(const Face& a, const Face& b, int n) {
           sum += p.area * q.area * cosines / (kPi * squared * squared);
         }
   return sum;
+}
+
+/// Of a closed room: all that leaves a face arrives at others.
+inline void expect_closed(const FormFactorMatrix& f, size_t faces, double tolerance) {
+  for (size_t i = 0; i < faces; ++i) {
+    double sum = 0;
+    for (size_t j = 0; j < faces; ++j) sum += f.factors[i * faces + j];
+    EXPECT_NEAR(sum, 1, tolerance);
+    EXPECT_EQ(f.factors[i * faces + i], 0);
+  }
 }
 
 /// [-1, 1]

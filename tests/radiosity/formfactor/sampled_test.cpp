@@ -64,11 +64,7 @@ TEST(RayCast, APointThatNothingHidesIsExact) {
 
 TEST(Hemisphere, CellsOfEqualAreaCatchAllOfAClosedRoom) {
   const FormFactorMatrix f = form_factor_matrix({box(1, 1.5, 0.8), {}}, "hemisphere:points=16");
-  for (size_t i = 0; i < 6; ++i) {
-    double sum = 0;
-    for (size_t j = 0; j < 6; ++j) sum += f.factors[i * 6 + j];
-    EXPECT_NEAR(sum, 1, 1e-3);
-  }
+  expect_closed(f, 6, 1e-3);
 }
 
 TEST(CubicTetrahedron, DeltaFormFactorsConvergeToTheClosedForm) {

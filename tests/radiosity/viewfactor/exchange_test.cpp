@@ -7,17 +7,10 @@
 #include "aktina/radiosity/viewfactor/blockers.h"
 #include "aktina/radiosity/viewfactor/certificate.h"
 #include "aktina/radiosity/viewfactor/leaves.h"
-#include "radiosity/formfactor/polygons.h"
+#include "radiosity/viewfactor/surfaces.h"
 
 namespace aktina {
 namespace {
-
-ViewFactorScene one_each(std::vector<Polygon> polygons) {
-  ViewFactorScene scene;
-  for (uint32_t i = 0; i < polygons.size(); ++i) scene.owners.push_back(i), scene.names.push_back(std::to_string(i));
-  scene.pieces = std::move(polygons);
-  return scene;
-}
 
 /// n x n parallelograms of a parallelogram, front as given.
 std::vector<Polygon> tiles(const Polygon& whole, int n) {

@@ -9,17 +9,10 @@
 #include "aktina/radiosity/formfactor/closed_forms.h"
 #include "aktina/radiosity/viewfactor/certificate.h"
 #include "aktina/radiosity/viewfactor/gray_body.h"
-#include "radiosity/formfactor/polygons.h"
+#include "radiosity/viewfactor/surfaces.h"
 
 namespace aktina {
 namespace {
-
-ViewFactorScene one_each(std::vector<Polygon> polygons) {
-  ViewFactorScene scene;
-  for (uint32_t i = 0; i < polygons.size(); ++i) scene.owners.push_back(i), scene.names.push_back(std::to_string(i));
-  scene.pieces = std::move(polygons);
-  return scene;
-}
 
 /// A closed room of 2 x 3 x 2 with a box in it, fronts outward.
 ViewFactorScene room_with_box() {
