@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "aktina/base/error.h"
 #include "aktina/render/catalogue.h"
 #include "aktina/render/job_report.h"
 #include "aktina/render/picture_job.h"
+#include "aktina/render/picture_view.h"
 
 namespace aktina {
 namespace {
 
-constexpr int kWidth = 960, kLargestSide = 1 << 16;
-constexpr uint64_t kMostPicturePixels = uint64_t(1) << 27;  // 1.6 GB a layer of three channels
-constexpr float kAspect = 1.5f;                             // of a camera that leaves it open
+constexpr int kWidth = 960;  // px, where no size is given
 
 struct Way {
   std::string_view method;
@@ -24,24 +22,6 @@ struct Way {
 constexpr Way kWays[] = {{"raster", draw_by_raster},
                          {"radiosity", draw_by_radiosity},
                          {"two_pass", draw_by_two_passes}};  // and every integrator: draw_by_rays
-
-const Camera& chosen_camera(const Scene& scene, int index) {
-  if (scene.cameras.empty()) throw Error(Code::usage, "camera", "the scene has none");
-  if (index < 0 || size_t(index) >= scene.cameras.size())
-    throw Error(Code::usage, "camera", fmt::format("there is no camera {}", index),
-                fmt::format("the scene has cameras 0 .. {}", scene.cameras.size() - 1));
-  return scene.cameras[size_t(index)];
-}
-
-void fill_size(const Camera& camera, int& width, int& height) {
-  const double aspect = double(camera.aspect > 0 ? camera.aspect : kAspect);
-  if (width == 0) width = height == 0 ? kWidth : int(std::lround(std::clamp(height * aspect, 1.0, 1e9)));
-  if (height == 0) height = int(std::lround(std::clamp(width / aspect, 1.0, 1e9)));
-  if (width < 1 || height < 1 || width > kLargestSide || height > kLargestSide ||
-      uint64_t(width) * uint64_t(height) > kMostPicturePixels)
-    throw Error(Code::limit, "size", fmt::format("got {} x {} px", width, height),
-                fmt::format("at least 1 x 1, sides up to {}, {} pixels in all", kLargestSide, kMostPicturePixels));
-}
 
 /// The command that repeats the picture.
 std::string settings(const PictureJob& job) {
@@ -91,7 +71,7 @@ void check_layers(const PictureJob& job, std::span<const std::string_view> known
 Rendering render(const Scene& scene, const RenderOptions& options, Progress& progress) {
   const Camera& camera = options.view ? *options.view : chosen_camera(scene, options.camera);
   int width = options.width, height = options.height;
-  fill_size(camera, width, height);
+  fill_size(camera, kWidth, width, height);
   Rendering result;
   result.report = begin_report(scene, options.seed);
   PictureJob job{scene, options, camera, width, height, progress, result.report};

@@ -12,6 +12,7 @@
 #include "aktina/raster/shading/shading_method.h"
 #include "aktina/render/catalogue.h"
 #include "aktina/render/job_report.h"
+#include "aktina/render/picture_view.h"
 #include "aktina/render/study/claims.h"
 #include "aktina/render/study/growth.h"
 #include "aktina/render/study/instructions.h"
@@ -24,25 +25,9 @@ namespace aktina {
 namespace {
 
 constexpr int kWidth = 480;           // px, where no size is given
-constexpr double kAspect = 1.5;       // of a camera that leaves it open
 constexpr int kFrames = 4;            // of the turn
 constexpr float kTurn = 0.0087266f;   // rad, half a degree a frame
 constexpr int kReferenceFactor = 16;  // samples of a traced reference, over the methods'
-
-/// {width, height}, px
-std::pair<int, int> size_for(const Camera& camera, const StudyOptions& options) {
-  const double aspect = double(camera.aspect > 0 ? camera.aspect : kAspect);
-  const auto whole = [](double value) { return std::max(1, int(std::lround(std::min(value, 1e9)))); };
-  if (options.width == 0 && options.height > 0) return {whole(options.height * aspect), options.height};
-  const int width = options.width > 0 ? options.width : kWidth;
-  return {width, options.height > 0 ? options.height : whole(width / aspect)};
-}
-
-const Camera& chosen_camera(const Scene& scene, int index) {
-  if (index < 0 || size_t(index) >= scene.cameras.size())
-    throw Error(Code::usage, "camera", fmt::format("there is no camera {}", index));
-  return scene.cameras[size_t(index)];
-}
 
 std::vector<MethodStudy> chosen_methods(const StudyFamily& family, const StudyOptions& options) {
   const Family& table = find_family(family.id);
@@ -252,7 +237,8 @@ Study study(const Scene& given, const StudyOptions& options, Progress& progress)
   const Camera& camera = chosen_camera(*scene, options.camera);
   const ThreadsKept threads;
   const std::string reference = options.reference.empty() ? std::string(family.reference) : options.reference;
-  const auto [width, height] = size_for(camera, options);
+  int width = options.width, height = options.height;
+  fill_size(camera, kWidth, width, height);
   StudyWork work{*scene,          family,    options,         camera,   width, height,
                  threads.count(), reference, options.samples, progress, result};
   if (options_of(family, reference, options).method != "raster") work.reference_samples *= kReferenceFactor;
