@@ -52,6 +52,10 @@ Rgb dielectric_reflectance(const Surface& s) {
   return clamped(s.specular_tint * f0, 0, 1) * s.specular_weight;
 }
 
+Rgb normal_reflectance(const Surface& s) {
+  return clamped(dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic, 0, 1);
+}
+
 Reflectance Ggx::brdf(const Surface& s, Vec3 n, Vec3 wi, Vec3 wo) const {
   const float cos_i = dot(n, wi), cos_o = dot(n, wo);
   if (cos_i <= 0 || cos_o <= 0) return {};

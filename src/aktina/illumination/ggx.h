@@ -33,6 +33,8 @@ inline Rgb schlick_fresnel(Rgb f0, float f90, float cosine) { return f0 + (Rgb(f
 
 /// Reflectance of a dielectric at normal incidence, with the strength and tint of KHR_materials_specular.
 Rgb dielectric_reflectance(const Surface& s);
+/// Of any material at normal incidence, f0: that of its dielectric and its metallic share together.
+Rgb normal_reflectance(const Surface& s);
 
 /// Width alpha of a material's lobe: its roughness squared, at least 1e-4 (a few arc seconds: below it D overflows).
 inline float ggx_width(const Surface& s) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "aktina/illumination/ggx.h"
 #include "aktina/raster/band.h"
 
 namespace aktina {
@@ -25,9 +26,6 @@ void fetch_colour(const Pipeline& pipeline, ShadeBatch& b) {
       b.specular[k][i] = pipeline.lit ? std::max(b.channel[3 + k][i], 0.0f) : 0;
     }
 }
-
-/// Reflectance of a physically based surface at normal incidence.
-Rgb normal_reflectance(const Surface& s) { return dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic; }
 
 /// What was lit as if white, with the coefficients that textures have given. The highlight is as wide as the material's
 /// own exponent makes it: it gets the energy, not the height, of the one that its textures ask for.

@@ -22,13 +22,8 @@ float phong_exponent(float roughness) {
 }
 float squared_alpha(float exponent) { return 1 / (2 * std::max(exponent, 0.0f) + 1); }
 
-Rgb normal_reflectance(const Surface& s) {
-  return clamp_unit(dielectric_reflectance(s) * (1 - s.metallic) + s.base * s.metallic);
-}
 /// Share of what facets reflect that is a sharp picture.
-float sharpness(const Surface& s) {
-  return std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f);
-}
+float sharpness(const Surface& s) { return std::clamp((kBlurred - s.roughness) / (kBlurred - kSharp), 0.0f, 1.0f); }
 
 /// Fills the classic coefficients from the physical ones.
 void derive_classic(Surface& s) {
