@@ -15,8 +15,7 @@
 #include "aktina/base/error.h"
 #include "aktina/radiosity/mesher/junctions.h"
 #include "aktina/radiosity/mesher/mesher.h"
-#include "aktina/radiosity/mesher/patch_material.h"
-#include "aktina/radiosity/mesher/source_faces.h"
+#include "aktina/radiosity/mesher/patch_builder.h"
 
 namespace aktina {
 namespace {
@@ -24,25 +23,23 @@ namespace {
 constexpr double kSlack = 1 - 1e-5;              // edges that are equal but for rounding get equally many pieces
 constexpr Vec3 kOdd{0.8215f, 0.4321f, 0.3717f};  // no edge of a drawn scene is square to it but by design
 
-using Corners = std::array<uint32_t, 4>;  // vertices; the last two of a triangle are equal
+using Corners = PatchBuilder::Corners;
 
 uint64_t key(uint32_t a, uint32_t b) { return (uint64_t(std::min(a, b)) << 32) | std::max(a, b); }
 
 /// Cuts the faces of one instance after another into a mesh.
 class Subdivision {
  public:
-  Subdivision(PatchMesh& mesh, double size, double shooter_size, uint64_t most, const Junctions& junctions)
-      : mesh_(mesh), size_(size), shooter_size_(shooter_size / kSlack), most_(most), junctions_(junctions) {}
+  Subdivision(PatchMesh& mesh, PatchBuilder& builder, double size, double shooter_size, const Junctions& junctions)
+      : mesh_(mesh), builder_(builder), size_(size), shooter_size_(shooter_size / kSlack), junctions_(junctions) {}
 
-  void add(const Scene& scene, uint32_t instance, const SourceFaces& faces) {
-    const PatchMaterials materials(scene, scene.instances[instance], faces);
-    two_sided_ = scene.material_of(scene.instances[instance]).double_sided;
-    faces_ = &faces, materials_ = &materials;
+  void add(uint32_t instance, const SourceFaces& faces) {
+    builder_.begin(instance, faces);
+    faces_ = &faces;
     middles_.clear(), on_edge_.clear();
     ids_.assign(faces.positions.size(), kNone);
     for (const SourceFace& face : faces.list) add(face);
   }
-  uint64_t clamped() const { return clamped_; }
 
  private:
   static constexpr uint32_t kNone = 0xffffffff;
@@ -61,13 +58,7 @@ class Subdivision {
     cut(corners);
   }
 
-  uint32_t add_vertex(Point3 p) {
-    const SurfacePoint place = faces_->place(*face_, p);
-    mesh_.positions.push_back(p);
-    mesh_.places.push_back(place);
-    mesh_.normals.push_back(faces_->normal(place));
-    return uint32_t(mesh_.positions.size()) - 1;
-  }
+  uint32_t add_vertex(Point3 p) { return builder_.add_vertex(*face_, p); }
 
   void note_junctions(uint32_t a, uint32_t b) {
     if (on_edge_.count(key(a, b))) return;
@@ -189,90 +180,48 @@ class Subdivision {
   }
 
   void add_patch(const Corners& c) {
-    if (mesh_.size() >= most_)
-      throw Error(Code::limit, "most_patches", fmt::format("the scene needs more than {} patches", most_),
-                  fmt::format("a patch size above {:.3g} m, or a higher limit", size_));
-    const bool quad = c[2] != c[3];
-    const std::array<Point3, 4> p = {mesh_.positions[c[0]], mesh_.positions[c[1]], mesh_.positions[c[2]],
-                                     mesh_.positions[c[3]]};
-    const Vec3d twice = quad ? cross(Vec3d(p[2]) - Vec3d(p[0]), Vec3d(p[3]) - Vec3d(p[1]))
-                             : cross(Vec3d(p[1]) - Vec3d(p[0]), Vec3d(p[2]) - Vec3d(p[0]));
-    const Point3 centre = quad ? 0.25f * (p[0] + p[1] + p[2] + p[3]) : (p[0] + p[1] + p[2]) * (1.0f / 3);
-    const PatchMaterial material = materials_->average(*face_, p);
-    mesh_.patches.push_back(c);
-    mesh_.centres.push_back(faces_->place(*face_, centre));
-    mesh_.areas.push_back(float(length(twice) / 2));
-    mesh_.patch_normals.push_back(normalize_or(Vec3(twice), {0, 1, 0}));
-    mesh_.reflectances.push_back(material.reflectance);
-    mesh_.transmittances.push_back(material.transmittance);
-    mesh_.emissions.push_back(material.emission);
-    mesh_.two_sided.push_back(two_sided_);
-    clamped_ += material.clamped;
+    builder_.add_patch(*face_, c);
     ++mesh_.shooters.back().count;
   }
 
   PatchMesh& mesh_;
+  PatchBuilder& builder_;
   double size_, shooter_size_;
-  uint64_t most_, clamped_ = 0;
   const Junctions& junctions_;
   const SourceFaces* faces_ = nullptr;
-  const PatchMaterials* materials_ = nullptr;
   const SourceFace* face_ = nullptr;
-  bool two_sided_ = false, in_shooter_ = false;
+  bool in_shooter_ = false;
   std::vector<uint32_t> ids_;  // vertex of the mesh for each of the faces' corners
   std::unordered_map<uint64_t, uint32_t> middles_;
   std::unordered_map<uint64_t, std::vector<Point3>> on_edge_;  // from the lower vertex to the higher one
   std::vector<Point3> found_;
 };
 
-double area(const std::vector<SourceFaces>& faces) {
-  double sum = 0;
-  for (const SourceFaces& each : faces)
-    for (const SourceFace& f : each.list) {
-      const Vec3d a(each.positions[f.corners[0]]), b(each.positions[f.corners[1]]), c(each.positions[f.corners[2]]),
-          d(each.positions[f.corners[3]]);
-      sum += 0.5 * length(f.is_quad() ? cross(c - a, d - b) : cross(b - a, c - a));
-    }
-  return sum;
-}
-
 class UniformMesher final : public Mesher {
  public:
   explicit UniformMesher(double shooter) : shooter_(shooter) {}
 
   PatchMesh mesh(const Scene& scene, const MeshOptions& options, Warnings& warnings) const override {
-    std::vector<SourceFaces> faces;
-    std::vector<uint32_t> instances;
-    std::vector<Point3> points;
-    uint64_t degenerate = 0;
-    for (uint32_t i = 0; i < scene.instances.size(); ++i) {
-      if (scene.instances[i].mesh < 0) continue;
-      faces.emplace_back(scene, i);
-      instances.push_back(i);
-      degenerate += faces.back().degenerate;
-      points.insert(points.end(), faces.back().positions.begin(), faces.back().positions.end());
-    }
-    const double total = area(faces);
+    const SceneFaces faces(scene);
+    const double total = faces.area();
     if (!(total > 0)) throw Error(Code::bad_input, scene.source, "no surface to compute light on");
     const double size = options.size(total), shooter = shooter_ > 0 ? shooter_ * size : options.coarse_size(total);
     check_count(faces, total, size, options.most_patches);
 
     PatchMesh mesh;
-    const Junctions junctions(points);
-    Subdivision subdivision(mesh, size, shooter, options.most_patches, junctions);
-    for (size_t i = 0; i < faces.size(); ++i) subdivision.add(scene, instances[i], faces[i]);
-    if (degenerate) warnings.add("triangles without area, or not finite, are left out", degenerate);
-    if (subdivision.clamped())
-      warnings.add(fmt::format("patches that reflect more than {} are taken to reflect that", kMostReflectance),
-                   subdivision.clamped());
+    PatchBuilder builder(mesh, scene, options.most_patches);
+    const Junctions junctions(faces.points());
+    Subdivision subdivision(mesh, builder, size, shooter, junctions);
+    for (size_t i = 0; i < faces.faces.size(); ++i) subdivision.add(faces.instances[i], faces.faces[i]);
+    warn_of_repairs(faces, builder, warnings);
     return mesh;
   }
 
  private:
   /// A patch is at most a square of the patch size, and every face is at least one.
-  static void check_count(const std::vector<SourceFaces>& faces, double total, double size, uint64_t most) {
+  static void check_count(const SceneFaces& faces, double total, double size, uint64_t most) {
     double least = 0;
-    for (const SourceFaces& each : faces) least += double(each.list.size());
+    for (const SourceFaces& each : faces.faces) least += double(each.list.size());
     least = std::max(least, total / (size * size));
     if (least > double(most))
       throw Error(Code::limit, "most_patches",
