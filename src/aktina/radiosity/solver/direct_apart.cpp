@@ -28,8 +28,9 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Radiosity
       buried_(hits_.buried()),
       patches_(sides, mesh.coarse_size(total_area(sides.mesh())), buried_),
       geometry_(sides, patches_, false),
+      surfaces_(scene, geometry_, visibility_),
       rays_(patches_, sides, hits_, options.seed),
-      factors_(geometry_, visibility_, ray_cast_samples(options.formfactor), options.seed, &rays_),
+      factors_(geometry_, visibility_, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
       interpolation_(patches_, sides, visibility_) {
   const std::vector<double> lamps = direct_light(scene, sides, visibility_, options.seed, progress);
   direct_.assign(sides.size(), Rgb(0));

@@ -10,6 +10,7 @@
 #include "aktina/radiosity/solve.h"
 #include "aktina/radiosity/solver/coarse_rays.h"
 #include "aktina/radiosity/solver/interpolate.h"
+#include "aktina/radiosity/solver/receiver_surfaces.h"
 #include "aktina/radiosity/solver/shots.h"
 
 namespace aktina {
@@ -44,6 +45,7 @@ class DirectApart {
   std::vector<uint8_t> buried_;
   CoarsePatches patches_;
   ShotGeometry geometry_;
+  ReceiverSurfaces surfaces_;
   CoarseRays rays_;
   RayCastShots factors_;
   CoarseInterpolation interpolation_;

@@ -16,6 +16,8 @@
 
 namespace aktina {
 
+class ReceiverSurfaces;
+
 /// Values by receiver and band stand band by band: [receiver * bands + band].
 struct RadiosityProblem {
   struct Range {
@@ -63,6 +65,8 @@ class FactorSource {
   virtual void column(size_t shooter, std::span<double> factors) const = 0;
   /// Rays of the same factors, where the source has them; else null.
   virtual const LightRays* rays() const { return nullptr; }
+  /// The surfaces that the receivers lie on, where the factors are those of a scene by rays; else null.
+  virtual const ReceiverSurfaces* surfaces() const { return nullptr; }
 };
 
 struct RadiosityState {

@@ -34,6 +34,8 @@ class ShotGeometry {
     return receiving_ ? receiving_->place(r, u) : CoarsePatches::Place{uint32_t(r), sides_.point(r, u)};
   }
   const Sides& sides() const { return sides_; }
+  /// The coarse patches that receive; null: sides do.
+  const CoarsePatches* receiving() const { return receiving_; }
 
   std::span<const Piece> pieces(size_t shooter) const {
     return {pieces_.data() + first_[shooter], first_[shooter + 1] - first_[shooter]};

@@ -29,16 +29,23 @@ class RayCastShots final : public FactorSource {
   static constexpr int kMostSamples = 256;
   /// @param samples  shadow rays of a receiver to what shoots near by; emitters get four times as many, what is small
   /// from there gets one
-  /// @param rays  of the same geometry; may be null
-  RayCastShots(const ShotGeometry& geometry, const Visibility& visibility, int samples, uint32_t seed,
-               const LightRays* rays = nullptr)
-      : geometry_(geometry), visibility_(visibility), samples_(samples), seed_(seed), rays_(rays) {}
+  /// @param surfaces, rays  of the same geometry; rays may be null
+  RayCastShots(const ShotGeometry& geometry, const Visibility& visibility, const ReceiverSurfaces& surfaces,
+               int samples, uint32_t seed, const LightRays* rays = nullptr)
+      : geometry_(geometry),
+        visibility_(visibility),
+        surfaces_(surfaces),
+        samples_(samples),
+        seed_(seed),
+        rays_(rays) {}
   void column(size_t shooter, std::span<double> factors) const override;
   const LightRays* rays() const override { return rays_; }
+  const ReceiverSurfaces* surfaces() const override { return &surfaces_; }
 
  private:
   const ShotGeometry& geometry_;
   const Visibility& visibility_;
+  const ReceiverSurfaces& surfaces_;
   int samples_;
   uint32_t seed_;
   const LightRays* rays_;

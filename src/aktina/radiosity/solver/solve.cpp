@@ -10,6 +10,7 @@
 #include "aktina/radiosity/solver/direct_apart.h"
 #include "aktina/radiosity/solver/direct_light.h"
 #include "aktina/radiosity/solver/quality.h"
+#include "aktina/radiosity/solver/receiver_surfaces.h"
 #include "aktina/radiosity/solver/reconstruct.h"
 #include "aktina/radiosity/solver/shots.h"
 #include "aktina/radiosity/solver/solver.h"
@@ -83,10 +84,14 @@ SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
 class SolveOnPatches {
  public:
   SolveOnPatches(const Scene& scene, const Sides& sides, const RadiosityOptions& options, Progress* progress)
-      : sides_(sides), visibility_(scene), geometry_(sides), problem_(sides.problem()) {
+      : sides_(sides),
+        visibility_(scene),
+        geometry_(sides),
+        surfaces_(scene, geometry_, visibility_),
+        problem_(sides.problem()) {
     if (is_ray_cast(options.formfactor))
-      factors_ =
-          std::make_unique<RayCastShots>(geometry_, visibility_, ray_cast_samples(options.formfactor), options.seed);
+      factors_ = std::make_unique<RayCastShots>(geometry_, visibility_, surfaces_, ray_cast_samples(options.formfactor),
+                                                options.seed);
     else
       factors_ = std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", options.formfactor));
     problem_.arriving = direct_light(scene, sides, visibility_, options.seed, progress);
@@ -114,6 +119,7 @@ class SolveOnPatches {
   const Sides& sides_;
   Visibility visibility_;
   ShotGeometry geometry_;
+  ReceiverSurfaces surfaces_;
   std::unique_ptr<FactorSource> factors_;
   RadiosityProblem problem_;
 };
