@@ -252,16 +252,25 @@ def radiosity(methods):
 
 
 def mesher(methods):
-    """Each patch in a tone of its own."""
+    """The light, and over it the edges of the patches that it was computed on."""
     scene = box_room()
     for method in methods:
-        solution = scene.radiosity(mesher=method, patch_size=0.25, most_steps=1)
-        tones = np.random.default_rng(1).uniform(0.25, 0.9, len(solution.patches))
-        patches = [{"vertices": solution.vertices[patch], "triangles": QUAD if patch[2] != patch[3] else [[0, 1, 2]],
-                    "material": {"base_colour": tone * np.array([0.9, 1, 0.95]), "unlit": True}}
-                   for patch, tone in zip(solution.patches, tones)]
-        drawn = aktina.Scene(patches, camera=scene.cameras[0])
-        write("mesher", method, drawn.render("raster", WIDTH, HEIGHT, samples=16))
+        solution = scene.radiosity(mesher=method, patch_size=0.25)
+        write("mesher", method, patch_edges(scene, solution, 2 * WIDTH, 2 * HEIGHT), 0.03)
+
+
+def patch_edges(scene, solution, width, height):
+    """Edges lie where pixels next to each other show different patches, each in a colour of its own."""
+    colours = np.random.default_rng(1).uniform(0, 1, (len(solution.patches), 3))
+    patches = [{"vertices": solution.vertices[patch], "triangles": QUAD if patch[2] != patch[3] else [[0, 1, 2]],
+                "material": {"base_colour": colour, "unlit": True}}
+               for patch, colour in zip(solution.patches, colours)]
+    shown = aktina.Scene(patches, camera=scene.cameras[0]).render("raster", width, height, samples=1)
+    edge = np.zeros((height, width, 1), bool)
+    edge[:, 1:, 0] |= (abs(shown[:, 1:] - shown[:, :-1]) > 1e-4).any(axis=-1)
+    edge[1:, :, 0] |= (abs(shown[1:] - shown[:-1]) > 1e-4).any(axis=-1)
+    picture = solution.render(width, height, samples=1)
+    return np.where(edge, 0.45 * picture, picture)
 
 
 def specular(methods):

@@ -26,12 +26,19 @@ struct MeshOptions {
   double coarse_size(double area) const { return std::max(coarse * size(area), std::sqrt(area / most_coarse)); }
 };
 
+/// Patches that may be split into four where the light on them changes fast, once that is known.
+struct Refinement {
+  int depth = 0;        // how often; 0: the mesh stays as it is
+  double gradient = 0;  // what changes fast: difference of light within a patch, in target errors
+};
+
 class Mesher {
  public:
   virtual ~Mesher() = default;
   /// @param scene  without analytic primitives (TessellatedScene)
   /// @throws Error limit (more patches than allowed, before memory is taken), bad_input (no surface)
   virtual PatchMesh mesh(const Scene& scene, const MeshOptions& options, Warnings& warnings) const = 0;
+  virtual Refinement refinement() const { return {}; }
 };
 
 std::span<const Method<std::unique_ptr<Mesher>>* const> meshers();

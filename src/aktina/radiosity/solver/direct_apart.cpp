@@ -3,42 +3,29 @@
 #include <algorithm>
 
 #include "aktina/base/statistics.h"
-#include "aktina/radiosity/solver/direct_light.h"
-#include "aktina/radiosity/solver/emitter_light.h"
 
 namespace aktina {
-namespace {
 
-constexpr size_t kMostEmitters = 256;  // the brightest; what the others emit goes with the indirect light
-constexpr double kEmitterSize = 4;     // coarse patches: they are seen by many, so they are fewer
-
-double total_area(const PatchMesh& mesh) {
-  double sum = 0;
-  for (const float a : mesh.areas) sum += double(a);
-  return sum;
-}
-
-}  // namespace
-
-DirectApart::DirectApart(const Scene& scene, const Sides& sides, const RadiosityOptions& options,
-                         const MeshOptions& mesh, Progress* progress)
+DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibility& visibility,
+                         const RadiosityOptions& options, const MeshOptions& mesh, DirectLight direct,
+                         Progress* progress)
     : sides_(sides),
-      visibility_(scene),
       hits_(sides),
       buried_(hits_.buried()),
       patches_(sides, mesh.coarse_size(total_area(sides.mesh())), buried_),
       geometry_(sides, patches_, false),
-      surfaces_(scene, geometry_, visibility_),
+      surfaces_(scene, geometry_, visibility),
       rays_(patches_, sides, hits_, options.seed),
-      factors_(geometry_, visibility_, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
-      interpolation_(patches_, sides, visibility_) {
-  const std::vector<double> lamps = direct_light(scene, sides, visibility_, options.seed, progress);
-  direct_.assign(sides.size(), Rgb(0));
-  for (size_t k = 0; k < lamps.size(); ++k) direct_[k / 3][int(k % 3)] = float(lamps[k]);
+      factors_(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
+      interpolation_(patches_, sides, visibility) {
+  const DirectSources sources(scene, sides, buried_, visibility, options, mesh);
+  if (direct.all.empty()) sources.shine_on(sides.all(), direct, progress);
+  direct_ = std::move(direct.all);
   RadiosityProblem all = sides.problem();
-  all.arriving = lamps;
+  for (const Rgb lamps : direct.lamps)
+    for (int c = 0; c < 3; ++c) all.arriving.push_back(double(lamps[c]));
   emitted_ = all.emitted();
-  shoot_emitters(kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), options, progress, all);
+  sources.take_out(all.emissions);
   make_problem(all);
 }
 
@@ -52,32 +39,6 @@ void DirectApart::make_problem(const RadiosityProblem& all) {
   std::vector<double> arriving(direct_.size() * 3);
   for (size_t k = 0; k < arriving.size(); ++k) arriving[k] = double(direct_[k / 3][int(k % 3)]);
   problem_.arriving = patches_.means(arriving, 3);
-}
-
-/// The brightest emitters, as large as several coarse patches: their light is added, their emissions are taken out of
-/// `all`.
-void DirectApart::shoot_emitters(double size, const RadiosityOptions& options, Progress* progress,
-                                 RadiosityProblem& all) {
-  const CoarsePatches clusters(sides_, size, buried_);
-  const std::vector<double> means = clusters.means(all.emissions, 3);
-  const auto exitance = [&](uint32_t i) {
-    return Rgb(float(means[3 * i]), float(means[3 * i + 1]), float(means[3 * i + 2]));
-  };
-  std::vector<std::pair<double, uint32_t>> powers;
-  for (uint32_t i = 0; i < clusters.size(); ++i)
-    if (const double power = clusters.area(i) * double(luminance(exitance(i))); power > 0)
-      powers.emplace_back(-power, i);
-  std::sort(powers.begin(), powers.end());
-  powers.resize(std::min(powers.size(), kMostEmitters));
-  std::vector<uint32_t> emitters;
-  std::vector<Rgb> exitances;
-  for (const auto& [power, i] : powers) {
-    emitters.push_back(i), exitances.push_back(exitance(i));
-    for (const uint32_t s : clusters.sides(i)) std::fill_n(&all.emissions[3 * s], 3, 0.0);
-  }
-  if (!emitters.empty())
-    add_emitter_light(ShotGeometry(sides_, clusters, true), visibility_, emitters, exitances,
-                      4 * ray_cast_samples(options.formfactor), options.seed, progress, direct_);
 }
 
 double DirectApart::absorbed(const std::vector<Rgb>& irradiances) const {

@@ -9,6 +9,7 @@
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solve.h"
 #include "aktina/radiosity/solver/coarse_rays.h"
+#include "aktina/radiosity/solver/direct_sources.h"
 #include "aktina/radiosity/solver/interpolate.h"
 #include "aktina/radiosity/solver/receiver_surfaces.h"
 #include "aktina/radiosity/solver/shots.h"
@@ -17,9 +18,10 @@ namespace aktina {
 
 class DirectApart {
  public:
-  /// Computes the direct light. The arguments must outlive this.
-  DirectApart(const Scene& scene, const Sides& sides, const RadiosityOptions& options, const MeshOptions& mesh,
-              Progress* progress);
+  /// @param direct  computed here where it is empty
+  /// The other arguments must outlive this.
+  DirectApart(const Scene& scene, const Sides& sides, const Visibility& visibility, const RadiosityOptions& options,
+              const MeshOptions& mesh, DirectLight direct, Progress* progress);
 
   /// What is left for a solver: coarse patches on which the direct light arrives.
   const RadiosityProblem& problem() const { return problem_; }
@@ -35,12 +37,10 @@ class DirectApart {
   Light on_sides(const RadiosityState& coarse) const;
 
  private:
-  void shoot_emitters(double size, const RadiosityOptions& options, Progress* progress, RadiosityProblem& all);
   void make_problem(const RadiosityProblem& all);
   double absorbed(const std::vector<Rgb>& irradiances) const;
 
   const Sides& sides_;
-  Visibility visibility_;
   ShooterHits hits_;
   std::vector<uint8_t> buried_;
   CoarsePatches patches_;

@@ -73,19 +73,16 @@ class SideLight {
 
 bool has_lamps(const Scene& scene) { return !scene.lights.empty() || scene.environment.shines(); }
 
-std::vector<double> direct_light(const Scene& scene, const Sides& sides, const Visibility& visibility, uint32_t seed,
-                                 Progress* progress) {
-  std::vector<double> illuminance;
+std::vector<Rgb> direct_light(const Scene& scene, const Sides& sides, std::span<const uint32_t> of,
+                              const Visibility& visibility, uint32_t seed, Progress* progress) {
+  std::vector<Rgb> illuminance;
   if (!has_lamps(scene)) return illuminance;
-  illuminance.resize(sides.size() * 3);
-  if (progress) progress->begin("direct light", "patches", sides.size());
-  parallel_for(sides.size(), kGrain, [&](size_t begin, size_t end) {
+  illuminance.resize(of.size());
+  if (progress) progress->begin("direct light", "patches", of.size());
+  parallel_for(of.size(), kGrain, [&](size_t begin, size_t end) {
     if (progress && progress->cancelled()) return;
     SideLight light(scene, sides, visibility, seed);
-    for (size_t s = begin; s < end; ++s) {
-      const Rgb h = light.of(s);
-      for (int c = 0; c < 3; ++c) illuminance[s * 3 + size_t(c)] = double(h[c]);
-    }
+    for (size_t i = begin; i < end; ++i) illuminance[i] = light.of(of[i]);
     if (progress) progress->advance(end - begin);
   });
   return illuminance;

@@ -1,6 +1,7 @@
 // Illuminance of the scene's lamps and sky on patches, with shadows.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "aktina/base/progress.h"
@@ -13,9 +14,9 @@ namespace aktina {
 /// Whether the scene has lamps or a sky (emissive surfaces are not meant).
 bool has_lamps(const Scene& scene);
 
-/// H0 of each side and of three bands, lx: averages over places spread over the patch, a shadow ray each. Empty where
-/// the scene has no lamps. The same values for any number of threads; what is done when `progress` is cancelled.
-std::vector<double> direct_light(const Scene& scene, const Sides& sides, const Visibility& visibility, uint32_t seed,
-                                 Progress* progress);
+/// H0 of the sides `of`, lx: averages over places spread over the patch, a shadow ray each. Empty where the scene has
+/// no lamps. The same values for any number of threads; what is done when `progress` is cancelled.
+std::vector<Rgb> direct_light(const Scene& scene, const Sides& sides, std::span<const uint32_t> of,
+                              const Visibility& visibility, uint32_t seed, Progress* progress);
 
 }  // namespace aktina

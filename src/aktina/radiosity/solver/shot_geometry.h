@@ -26,13 +26,19 @@ class ShotGeometry {
   /// Coarse patches shoot; they receive, or sides do.
   ShotGeometry(const Sides& sides, const CoarsePatches& patches, bool sides_receive);
 
-  size_t receivers() const { return receiving_ ? receiving_->size() : sides_.size(); }
-  Point3 centre(size_t r) const { return sides_.centre(receiving_ ? receiving_->middle(r) : r); }
-  Vec3 normal(size_t r) const { return sides_.normal(receiving_ ? receiving_->middle(r) : r); }
+  /// Where sides receive: only these do from now on, counted in their order.
+  void receive_only(std::vector<uint32_t> sides) { only_ = std::move(sides); }
+
+  size_t receivers() const { return receiving_ ? receiving_->size() : only_.empty() ? sides_.size() : only_.size(); }
+  Point3 centre(size_t r) const { return sides_.centre(middle(r)); }
+  Vec3 normal(size_t r) const { return sides_.normal(middle(r)); }
   /// A place on the receiver, evenly over its area.
   CoarsePatches::Place place(size_t r, Vec2 u) const {
-    return receiving_ ? receiving_->place(r, u) : CoarsePatches::Place{uint32_t(r), sides_.point(r, u)};
+    if (receiving_) return receiving_->place(r, u);
+    return {uint32_t(middle(r)), sides_.point(middle(r), u)};
   }
+  /// What choices at random for a receiver depend on: whoever else receives.
+  uint32_t identity(size_t r) const { return uint32_t(only_.empty() ? r : only_[r]); }
   const Sides& sides() const { return sides_; }
   /// The coarse patches that receive; null: sides do.
   const CoarsePatches* receiving() const { return receiving_; }
@@ -45,9 +51,12 @@ class ShotGeometry {
 
  private:
   void add_piece(const Sides::Shooter& shooter);
+  /// The side in the middle of a receiver.
+  size_t middle(size_t r) const { return receiving_ ? receiving_->middle(r) : identity(r); }
 
   const Sides& sides_;
   const CoarsePatches* receiving_ = nullptr;
+  std::vector<uint32_t> only_;
   std::vector<Piece> pieces_;
   std::vector<uint32_t> first_{0};
   std::vector<uint8_t> emits_;

@@ -104,7 +104,7 @@ void occlude(const ShotGeometry& geometry, const Visibility& visibility, size_t 
   Looks looks;
   VisibilityQueue queue(visibility, Coherence::coherent, looks.passed);
   const auto look = [&](size_t i, int from, int to) {
-    const uint32_t own = hash_combine(hash_combine(seed, uint32_t(shooter)), uint32_t(begin + i));
+    const uint32_t own = hash_combine(hash_combine(seed, uint32_t(shooter)), geometry.identity(begin + i));
     for (int k = from; k < to; ++k) {
       const CoarsePatches::Place x = geometry.place(begin + i, sobol_owen(uint32_t(k), hash32(own)));
       const ShotGeometry::Target y = geometry.target(shooter, sobol_owen(uint32_t(k), own));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace aktina {
 
@@ -39,6 +40,20 @@ Sides::Shooter Sides::shooter(const PatchMesh::Shooter& of, uint32_t first, bool
   }
   for (uint32_t i = of.first; i < of.first + of.count; ++i) s.emits = s.emits || !is_black(mesh_->emissions[i].v);
   return s;
+}
+
+std::vector<uint32_t> Sides::all() const {
+  std::vector<uint32_t> numbers(size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+std::vector<uint32_t> Sides::origins(const Sides& before, std::span<const uint32_t> origin, uint32_t none) const {
+  std::vector<uint32_t> back(before.mesh().size(), none), of(size(), none);
+  for (size_t s = before.mesh().size(); s < before.size(); ++s) back[before.patch(s)] = uint32_t(s);
+  for (size_t s = 0; s < size(); ++s)
+    if (const uint32_t was = origin[patch(s)]; was != none) of[s] = is_back(s) ? back[was] : was;
+  return of;
 }
 
 RadiosityProblem Sides::problem() const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "aktina/radiosity/solution.h"
 #include "aktina/radiosity/solver/problem.h"
@@ -35,6 +37,11 @@ class Sides {
     bool emits;
   };
   const std::vector<Shooter>& shooters() const { return shooters_; }
+
+  /// Numbers of all sides, in order.
+  std::vector<uint32_t> all() const;
+  /// For each side which one of `before` it was. @param origin  the same by patch; `none` where there is none
+  std::vector<uint32_t> origins(const Sides& before, std::span<const uint32_t> origin, uint32_t none) const;
 
   /// Three bands; nothing arrives yet.
   RadiosityProblem problem() const;

@@ -7,6 +7,7 @@
 
 #include "aktina/base/error.h"
 #include "aktina/radiosity/mesher/mesher.h"
+#include "aktina/radiosity/solver/adaptive_direct.h"
 #include "aktina/radiosity/solver/direct_apart.h"
 #include "aktina/radiosity/solver/direct_light.h"
 #include "aktina/radiosity/solver/quality.h"
@@ -83,18 +84,16 @@ SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
 /// All light on all patches.
 class SolveOnPatches {
  public:
-  SolveOnPatches(const Scene& scene, const Sides& sides, const RadiosityOptions& options, Progress* progress)
-      : sides_(sides),
-        visibility_(scene),
-        geometry_(sides),
-        surfaces_(scene, geometry_, visibility_),
-        problem_(sides.problem()) {
+  SolveOnPatches(const Scene& scene, const Sides& sides, const Visibility& visibility, const RadiosityOptions& options,
+                 Progress* progress)
+      : sides_(sides), geometry_(sides), surfaces_(scene, geometry_, visibility), problem_(sides.problem()) {
     if (is_ray_cast(options.formfactor))
-      factors_ = std::make_unique<RayCastShots>(geometry_, visibility_, surfaces_, ray_cast_samples(options.formfactor),
+      factors_ = std::make_unique<RayCastShots>(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor),
                                                 options.seed);
     else
       factors_ = std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", options.formfactor));
-    problem_.arriving = direct_light(scene, sides, visibility_, options.seed, progress);
+    for (const Rgb lamps : direct_light(scene, sides, sides.all(), visibility, options.seed, progress))
+      for (int c = 0; c < 3; ++c) problem_.arriving.push_back(double(lamps[c]));
   }
 
   void solve(const RadiositySolver& solver, const RadiosityOptions& options, SolverControl control,
@@ -117,7 +116,6 @@ class SolveOnPatches {
 
  private:
   const Sides& sides_;
-  Visibility visibility_;
   ShotGeometry geometry_;
   ReceiverSurfaces surfaces_;
   std::unique_ptr<FactorSource> factors_;
@@ -161,12 +159,20 @@ Solution solve_radiosity(const Scene& scene, const RadiosityOptions& given, Prog
   solution.mesh = mesher->mesh(*tessellated, mesh, solution.warnings);
   require_light(scene, solution.mesh);
 
-  const Sides sides(solution.mesh);
+  const Visibility visibility(*tessellated);
+  const Refinement refinement = mesher->refinement();
   const SolverControl control = control_of(options, progress);
-  if (apart)
-    solve_apart(DirectApart(*tessellated, sides, options, mesh, progress), *solver, sides, options, control, solution);
-  else
-    SolveOnPatches(*tessellated, sides, options, progress).solve(*solver, options, control, solution);
+  if (apart) {
+    DirectLight direct;
+    if (refinement.depth > 0)
+      direct = refine_by_direct_light(*tessellated, visibility, refinement, options, mesh, solution.mesh, progress);
+    const Sides sides(solution.mesh);
+    solve_apart(DirectApart(*tessellated, sides, visibility, options, mesh, std::move(direct), progress), *solver,
+                sides, options, control, solution);
+  } else {
+    const Sides sides(solution.mesh);
+    SolveOnPatches(*tessellated, sides, visibility, options, progress).solve(*solver, options, control, solution);
+  }
   reconstruct_vertices(solution);
   return solution;
 }

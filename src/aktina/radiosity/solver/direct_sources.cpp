@@ -1,0 +1,67 @@
+#include "aktina/radiosity/solver/direct_sources.h"
+
+#include <algorithm>
+
+#include "aktina/radiosity/solver/direct_light.h"
+#include "aktina/radiosity/solver/emitter_light.h"
+#include "aktina/radiosity/solver/shots.h"
+
+namespace aktina {
+namespace {
+
+constexpr size_t kMostEmitters = 256;  // the brightest; what the others emit goes with the indirect light
+constexpr double kEmitterSize = 4;     // coarse patches: they are seen by many, so they are fewer
+
+}  // namespace
+
+double total_area(const PatchMesh& mesh) {
+  double sum = 0;
+  for (const float a : mesh.areas) sum += double(a);
+  return sum;
+}
+
+DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::vector<uint8_t>& buried,
+                             const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh)
+    : scene_(scene),
+      sides_(sides),
+      visibility_(visibility),
+      samples_(4 * ray_cast_samples(options.formfactor)),
+      seed_(options.seed),
+      clusters_(sides, kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), buried) {
+  find_emitters();
+}
+
+/// The brightest emitters, as large as several coarse patches.
+void DirectSources::find_emitters() {
+  const std::vector<double> means = clusters_.means(sides_.problem().emissions, 3);
+  const auto exitance = [&](uint32_t i) {
+    return Rgb(float(means[3 * i]), float(means[3 * i + 1]), float(means[3 * i + 2]));
+  };
+  std::vector<std::pair<double, uint32_t>> powers;
+  for (uint32_t i = 0; i < clusters_.size(); ++i)
+    if (const double power = clusters_.area(i) * double(luminance(exitance(i))); power > 0)
+      powers.emplace_back(-power, i);
+  std::sort(powers.begin(), powers.end());
+  powers.resize(std::min(powers.size(), kMostEmitters));
+  for (const auto& [power, i] : powers) emitters_.push_back(i), exitances_.push_back(exitance(i));
+}
+
+void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, Progress* progress) const {
+  light.lamps.resize(sides_.size(), Rgb(0)), light.all.resize(sides_.size(), Rgb(0));
+  std::vector<Rgb> here = direct_light(scene_, sides_, of, visibility_, seed_, progress);
+  here.resize(of.size(), Rgb(0));
+  for (size_t i = 0; i < of.size(); ++i) light.lamps[of[i]] = here[i];
+  if (!emitters_.empty() && !of.empty()) {
+    ShotGeometry geometry(sides_, clusters_, true);
+    geometry.receive_only({of.begin(), of.end()});
+    add_emitter_light(geometry, visibility_, emitters_, exitances_, samples_, seed_, progress, here);
+  }
+  for (size_t i = 0; i < of.size(); ++i) light.all[of[i]] = here[i];
+}
+
+void DirectSources::take_out(std::vector<double>& emissions) const {
+  for (const uint32_t i : emitters_)
+    for (const uint32_t s : clusters_.sides(i)) std::fill_n(&emissions[3 * s], 3, 0.0);
+}
+
+}  // namespace aktina

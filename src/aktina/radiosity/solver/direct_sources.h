@@ -1,0 +1,47 @@
+// Where light comes straight from: lamps, the sky, and the brightest emitting surfaces.
+#pragma once
+
+#include <vector>
+
+#include "aktina/radiosity/mesher/mesher.h"
+#include "aktina/radiosity/solve.h"
+#include "aktina/radiosity/solver/coarse_patches.h"
+#include "aktina/radiosity/solver/visibility.h"
+
+namespace aktina {
+
+/// Of each side, lx. Empty: not known yet.
+struct DirectLight {
+  std::vector<Rgb> lamps;  // and sky
+  std::vector<Rgb> all;
+};
+
+class DirectSources {
+ public:
+  /// @param buried  by side, as CoarsePatches has it. The arguments must outlive this.
+  DirectSources(const Scene& scene, const Sides& sides, const std::vector<uint8_t>& buried,
+                const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh);
+
+  /// What arrives on the sides `of` replaces what `light` has there. The same values for a side whichever others are
+  /// asked for with it.
+  void shine_on(std::span<const uint32_t> of, DirectLight& light, Progress* progress) const;
+  /// Takes what these sources emit out of the emissions of the sides' problem.
+  void take_out(std::vector<double>& emissions) const;
+
+ private:
+  void find_emitters();
+
+  const Scene& scene_;
+  const Sides& sides_;
+  const Visibility& visibility_;
+  int samples_;
+  uint32_t seed_;
+  CoarsePatches clusters_;
+  std::vector<uint32_t> emitters_;  // among the clusters
+  std::vector<Rgb> exitances_;      // of each of them, lm/m^2
+};
+
+/// m^2
+double total_area(const PatchMesh& mesh);
+
+}  // namespace aktina
