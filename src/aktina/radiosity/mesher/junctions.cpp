@@ -9,8 +9,7 @@
 namespace aktina {
 namespace {
 
-constexpr float kTolerance = 1e-6f;  // of the scene's diagonal
-constexpr float kMostCells = 512;    // along an axis
+constexpr float kMostCells = 512;  // along an axis
 
 }  // namespace
 
@@ -20,7 +19,7 @@ Junctions::Junctions(std::span<const Point3> points) {
   for (size_t i = 0; i < points.size(); ++i)
     if (same[i] == i && is_finite(points[i])) unique.push_back(points[i]), bounds_.add(points[i]);
   if (unique.empty()) return;
-  tolerance_ = kTolerance * bounds_.diagonal();
+  tolerance_ = kJunctionTolerance * bounds_.diagonal();
   const Vec3 size = glm::max(bounds_.size(), Vec3(1e-3f * bounds_.diagonal() + 1e-30f));
   const float cell = std::cbrt(size.x * size.y * size.z / float(unique.size()));
   count_ = Cell(glm::clamp(size / cell, Vec3(1), Vec3(kMostCells)));

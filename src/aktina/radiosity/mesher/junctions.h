@@ -9,6 +9,9 @@
 
 namespace aktina {
 
+/// Of the scene's diagonal: what is nearer to an edge lies on it.
+inline constexpr float kJunctionTolerance = 1e-6f;
+
 class Junctions {
  public:
   /// @param points  all vertices of the scene

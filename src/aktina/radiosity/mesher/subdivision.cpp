@@ -14,7 +14,6 @@ constexpr double kSlack = 1 - 1e-5;   // edges that are equal but for rounding g
 constexpr double kMatch = 1e-4;       // of a side: vertices of opposite sides that make a grid
 constexpr double kLittleSkew = 0.25;  // of a patch: cuts that are taken first
 constexpr double kMostSkew = 0.75;    // of a patch: cuts that are taken at all
-constexpr size_t kThick = 3;          // pieces of the sides next to a row that is peeled off
 
 constexpr uint32_t kNone = 0xffffffff;
 
@@ -185,9 +184,9 @@ void Subdivision::cut_quad(const Region& r) {
   const Region first = r.turned(wide ? 0 : 1), second = r.turned(wide ? 1 : 0);
   const Cut a = best_cut(first), b = best_cut(second);
   const auto good = [&](const Cut& c, double most) { return c.skew >= 0 && c.skew <= most * sizes_.patch; };
+  if (peel(first) || peel(second)) return;
   if (good(a, kLittleSkew)) return cut_across(first, a.from, a.to);
   if (good(b, kLittleSkew)) return cut_across(second, b.from, b.to);
-  if (peel(first) || peel(second)) return;
   if (good(a, kMostSkew)) return cut_across(first, a.from, a.to);
   if (good(b, kMostSkew)) return cut_across(second, b.from, b.to);
   cut_diagonally(r);
@@ -212,10 +211,10 @@ Subdivision::Cut Subdivision::best_cut(const Region& r) const {
   return best;
 }
 
-/// Sides 0 and 2 do not fit each other: a row of patches along the less even one takes up the difference.
+/// Where sides 0 and 2 do not fit each other, a row of patches along the less even one takes up the difference.
 bool Subdivision::peel(const Region& r) {
   const size_t right = r.pieces(1), left = r.pieces(3);
-  if (right < kThick || left < kThick) return false;
+  if (right < 2 || left < 2 || match(r.sides[0], r.sides[2])) return false;
   const Region from = unevenness(r.sides[0]) >= unevenness(r.sides[2]) ? r : r.turned(2);
   const Side up = from.sides[1], down = from.sides[3];
   const size_t end = down.pieces() - 1;

@@ -4,6 +4,7 @@
 //
 // M. Cohen, D. Greenberg, "The Hemi-Cube: A Radiosity Solution for Complex Environments", SIGGRAPH 1985.
 #include "aktina/base/error.h"
+#include "aktina/radiosity/mesher/contacts.h"
 #include "aktina/radiosity/mesher/subdivision.h"
 
 namespace aktina {
@@ -14,10 +15,11 @@ class UniformMesher final : public Mesher {
   explicit UniformMesher(double shooter) : shooter_(shooter) {}
 
   PatchMesh mesh(const Scene& scene, const MeshOptions& options, Warnings& warnings) const override {
-    const SceneFaces faces(scene);
+    SceneFaces faces(scene);
     const double area = faces.area();
     if (!(area > 0)) throw Error(Code::bad_input, scene.source, "no surface to compute light on");
     const double size = options.size(area), shooter = shooter_ > 0 ? shooter_ * size : options.coarse_size(area);
+    cut_at_contacts(faces, size, warnings);
     return subdivide(scene, faces, {size, shooter}, options.most_patches, warnings);
   }
 
