@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "aktina/base/error.h"
+#include "aktina/radiosity/error_estimate.h"
 #include "aktina/render/job.h"
 #include "scene_options.h"
 
@@ -19,10 +20,11 @@ std::string summary(const Solution& s) {
     brightest = std::max(brightest, e);
   }
   return fmt::format(
-      "{} patches, {:.4g} m^2; illuminance {:.4g} lx on average, {:.4g} lx at most\n"
+      "{} patches, {:.4g} m^2; illuminance {:.4g} lx on average, {:.4g} lx at most; "
+      "about {:.2g} % off within patches\n"
       "emitted {:.4g} lm, absorbed {:.4g} lm, escaped {:.4g} lm; {} after {} steps, {:.2g} of the light unshot\n",
-      s.mesh.size(), area, area > 0 ? lumens / area : 0, brightest, s.emitted, s.absorbed, s.escaped,
-      s.converged ? "converged" : "not converged", s.steps, s.unshot);
+      s.mesh.size(), area, area > 0 ? lumens / area : 0, brightest, 100 * relative_error(s), s.emitted, s.absorbed,
+      s.escaped, s.converged ? "converged" : "not converged", s.steps, s.unshot);
 }
 
 int run(const Arguments& arguments, Session& session) {

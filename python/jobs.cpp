@@ -1,4 +1,5 @@
 // Pictures of scenes, and the light on their surfaces.
+#include "aktina/radiosity/error_estimate.h"
 #include "aktina/render/job.h"
 #include "aktina/trace/illuminance.h"
 #include "arrays.h"
@@ -101,6 +102,7 @@ py::dict solution_arrays(const Result& r) {
   d["normals"] = triples(r, s.mesh.patch_normals), d["reflectances"] = triples(r, s.mesh.reflectances);
   d["emissions"] = triples(r, s.mesh.emissions);
   d["irradiances"] = triples(r, s.irradiances), d["radiosities"] = triples(r, s.radiosities);
+  d["illuminance_errors"] = array(patch_errors(s), std::vector<py::ssize_t>{n});
   d["vertex_irradiances"] = triples(r, s.vertex_irradiances);
   d["vertex_radiosities"] = triples(r, s.vertex_radiosities);
   return d;

@@ -259,6 +259,7 @@ class Solution:
     reflectances: NDArray[np.float32]
     emissions: NDArray[np.float32]
     irradiances: NDArray[np.float32]
+    illuminance_errors: NDArray[np.float32]
     radiosities: NDArray[np.float32]
     steps: int
     unshot: float

@@ -179,7 +179,8 @@ class Solution:
     """The light on a scene's surfaces, from `Scene.radiosity` or `load_solution`. Arrays cannot be written to.
 
     Of P patches: `patches` (P, 4) vertices, the last two equal for triangles; `areas` (P,) m^2; `normals` (P, 3);
-    `reflectances` (P, 3); `emissions`, `radiosities` (P, 3) lm/m^2; `irradiances` (P, 3) lx.
+    `reflectances` (P, 3); `emissions`, `radiosities` (P, 3) lm/m^2; `irradiances` (P, 3) lx;
+    `illuminance_errors` (P,) lx: estimated RMS difference between a patch's illuminance and that of its points.
     Of V vertices: `vertices` (V, 3) m, `vertex_normals`, `vertex_irradiances`, `vertex_radiosities` (V, 3).
     Facts: `steps`, `unshot` (share of the emitted light), `converged`, `emitted`, `absorbed`, `escaped` (lm).
     """

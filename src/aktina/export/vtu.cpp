@@ -1,5 +1,6 @@
 // A radiosity solution for ParaView.
 #include "aktina/export/vtu_writer.h"
+#include "aktina/radiosity/error_estimate.h"
 
 namespace aktina {
 namespace {
@@ -31,6 +32,7 @@ void add_cell_data(VtuWriter& out, const Solution& solution) {
   out.colours("irradiance", "lx", solution.irradiances);
   out.colours("radiosity", "lm/m^2", solution.radiosities);
   out.colours("back_irradiance", "lx", solution.back_irradiances);
+  out.array("illuminance_error", "lx", 1, patch_errors(solution));
   out.colours("emission", "lm/m^2", mesh.emissions);
   out.colours("reflectance", "1", mesh.reflectances);
   out.colours("transmittance", "1", mesh.transmittances);

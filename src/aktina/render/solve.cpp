@@ -3,6 +3,7 @@
 
 #include "aktina/base/error.h"
 #include "aktina/export/export.h"
+#include "aktina/radiosity/error_estimate.h"
 #include "aktina/render/job_report.h"
 
 namespace aktina {
@@ -16,6 +17,7 @@ void add_to_report(Report& report, const Solution& solution, const Progress& pro
   report.count("emitted", solution.emitted, "lm");
   report.count("absorbed", solution.absorbed, "lm");
   report.count("escaped", solution.escaped, "lm");
+  report.count("estimated_error", relative_error(solution));
   report.complete = solution.converged || !progress.cancelled();
   if (!solution.converged && report.complete)
     report.warnings.add(fmt::format("not converged: {:.2g} of the light is not distributed yet", solution.unshot));
