@@ -18,7 +18,7 @@ packages=(
   clang clang-format clang-tidy libclang-rt-14-dev
   # the comparison against Mesa in `make bench`, and graphics hardware
   libegl-dev libepoxy-dev libgl1-mesa-dri libegl-mesa0
-  # the Khronos glTF validator (npm) that the export tests run
+  # the Khronos glTF validator and three.js (npm) that tests of baked models run
   nodejs npm
 )
 
@@ -46,10 +46,15 @@ if [ ${#missing[@]} -gt 0 ]; then
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 fi
 
-# The validator goes into node_modules/ here, where the tests look for it.
-validator=2.0.0-dev.3.10
+# The validator and three.js go into node_modules/ here, where the tests look for them. Tests that show models in a
+# browser run where chromium is installed.
 here=$(cd "$(dirname "$0")/.." && pwd)
-if ! grep -qs "\"version\": \"$validator\"" "$here/node_modules/gltf-validator/package.json"; then
-  echo "Aktina's tests need the Khronos glTF validator (npm) and will install it now:  gltf-validator $validator"
-  npm install --prefix "$here" --no-save --no-package-lock --no-audit --no-fund --silent "gltf-validator@$validator"
+packages=(gltf-validator@2.0.0-dev.3.10 three@0.187.0)
+wanted=()
+for package in "${packages[@]}"; do
+  grep -qs "\"version\": \"${package#*@}\"" "$here/node_modules/${package%@*}/package.json" || wanted=("${packages[@]}")
+done
+if [ ${#wanted[@]} -gt 0 ]; then
+  echo "Aktina's tests need the Khronos glTF validator and three.js (npm) and will install them now:  ${wanted[*]}"
+  npm install --prefix "$here" --no-save --no-package-lock --no-audit --no-fund --silent "${wanted[@]}"
 fi
