@@ -21,10 +21,11 @@ LightmapOptions lightmap_options(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments, Session& session) {
-  const RadiosityOptions options = radiosity_options(arguments);
+  RadiosityOptions options = radiosity_options(arguments);
   const std::vector<Path> outputs = checked_outputs(arguments, session, kFormats);
   for (const Path& output : outputs)
     if (const Path beside = Baking::beside(output, arguments.text("as")); !beside.empty()) session.will_write(beside);
+  options.checkpoint = checkpoint_options(arguments, session);
   const LoadedScene loaded = load(arguments, session);
   session.begin_work();
   Radiosities result = solve(loaded.scene, options, session.progress());
@@ -100,7 +101,7 @@ constexpr Option kBakeOptions[] = {
      .min = 0,
      .max = 65536},
 };
-constexpr auto kOptions = joined(kBakeOptions, kRadiosityOptions);
+constexpr auto kOptions = joined(joined(kBakeOptions, kRadiosityOptions), kCheckpointOptions);
 constexpr Example kExamples[] = {
     {"global illumination that costs nothing at run time", "aktina bake room.glb -o room.lit.glb"},
     {"finer shadows", "aktina bake room.glb -o room.lit.glb --patch-size 0.05"},

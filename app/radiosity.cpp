@@ -28,8 +28,9 @@ std::string summary(const Solution& s) {
 }
 
 int run(const Arguments& arguments, Session& session) {
-  const RadiosityOptions options = radiosity_options(arguments);
+  RadiosityOptions options = radiosity_options(arguments);
   const std::vector<Path> outputs = checked_outputs(arguments, session, kFormats);
+  options.checkpoint = checkpoint_options(arguments, session);
   const LoadedScene loaded = load(arguments, session);
   session.begin_work();
   Radiosities result = solve(loaded.scene, options, session.progress());
@@ -49,11 +50,13 @@ constexpr Option kOutputs[] = {
         "the solution: .aktina (all of it), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (lit model); "
         "may be given again"),
 };
-constexpr auto kOptions = joined(kOutputs, kRadiosityOptions);
+constexpr auto kOptions = joined(joined(kOutputs, kRadiosityOptions), kCheckpointOptions);
 constexpr Example kExamples[] = {
     {"lux on every patch, for ParaView and for a spreadsheet", "aktina radiosity room.glb -o room.vtu -o room.csv"},
     {"patches of at most 10 cm, closer to balance",
      "aktina radiosity room.glb -o room.vtu --patch-size 0.1 --tolerance 1e-4"},
+    {"a long run that may be killed: the same line again goes on",
+     "aktina radiosity room.glb -o room.aktina --quality fine --checkpoint room.checkpoint --every 5min --resume"},
 };
 
 }  // namespace

@@ -37,6 +37,37 @@ RadiosityOptions radiosity_options(const Arguments& arguments) {
   return options;
 }
 
+namespace {
+
+/// Seconds of "90s", "5min", "1h".
+double read_duration(const std::string& text) {
+  constexpr std::pair<std::string_view, double> kUnits[] = {{"s", 1}, {"min", 60}, {"h", 3600}};
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  for (const auto& [unit, seconds] : kUnits)
+    if (parsed.ec == std::errc() && std::string_view(parsed.ptr, end) == unit && value >= 0 && value <= 1e6)
+      return value * seconds;
+  throw Error(Code::usage, "--every", fmt::format("'{}' is no time", text), "as 30s, 5min, 1h");
+}
+
+}  // namespace
+
+CheckpointOptions checkpoint_options(const Arguments& arguments, Session& session) {
+  CheckpointOptions options;
+  options.file = arguments.text("checkpoint");
+  options.seconds = read_duration(arguments.text("every"));
+  options.resume = arguments.given("resume");
+  if (options.file.empty()) {
+    if (options.resume) throw Error(Code::usage, "--resume", "from which file?", "--checkpoint FILE");
+    return options;
+  }
+  session.will_write(options.file);
+  if (options.resume && !std::filesystem::exists(options.file))
+    session.note(fmt::format("{} is not there yet: from the beginning", display(options.file)));
+  return options;
+}
+
 void read_size(const std::string& text, int& width, int& height) {
   const auto number = [&](std::string_view part) {
     int value = 0;

@@ -131,13 +131,37 @@ inline constexpr Option kRadiosityOptions[] = {
 };
 RadiosityOptions radiosity_options(const Arguments& arguments);
 
+/// `radiosity` and `bake`, which may take hours, take these, too.
+inline constexpr Option kCheckpointOptions[] = {
+    {.name = "checkpoint",
+     .help = "keep what is done so far in this file, for --resume",
+     .kind = Kind::file,
+     .value = "FILE",
+     .affects_result = false},
+    {.name = "every",
+     .help = "time between two writes of the checkpoint: 30s, 5min, 1h",
+     .kind = Kind::text,
+     .value = "TIME",
+     .fallback = "60s",
+     .affects_result = false},
+    {.name = "resume",
+     .help = "go on from the checkpoint of a run that was ended; from the beginning where there is none yet",
+     .affects_result = false},
+};
+/// @throws Error usage, io
+CheckpointOptions checkpoint_options(const Arguments& arguments, Session& session);
+
 /// Two tables of options as one.
 template <size_t A, size_t B>
-constexpr std::array<Option, A + B> joined(const Option (&a)[A], const Option (&b)[B]) {
+constexpr std::array<Option, A + B> joined(const std::array<Option, A>& a, const Option (&b)[B]) {
   std::array<Option, A + B> all{};
   for (size_t i = 0; i < A; ++i) all[i] = a[i];
   for (size_t i = 0; i < B; ++i) all[A + i] = b[i];
   return all;
+}
+template <size_t A, size_t B>
+constexpr std::array<Option, A + B> joined(const Option (&a)[A], const Option (&b)[B]) {
+  return joined(std::to_array(a), b);
 }
 
 struct LoadedScene {

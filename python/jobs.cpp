@@ -18,6 +18,9 @@ RadiosityOptions radiosity_options(const py::dict& fields) {
   field("patch_size", o.patch_size), field("tolerance", o.tolerance), field("target_error", o.target_error);
   field("indirect_size", o.indirect_size);
   field("most_steps", most_steps), field("most_patches", most_patches);
+  std::string checkpoint;
+  field("checkpoint", checkpoint), field("every", o.checkpoint.seconds), field("resume", o.checkpoint.resume);
+  o.checkpoint.file = checkpoint;
   field.expect_all_read();
   o.most_steps = uint64_t(std::max(most_steps, 0)), o.most_patches = uint64_t(std::max(most_patches, 0));
   return o;

@@ -219,6 +219,9 @@ class Scene:
         quality: str = "normal",
         target_error: float = 0.0,
         indirect_size: float = 2.0,
+        checkpoint: str | os.PathLike[str] | None = None,
+        every: float = 60.0,
+        resume: bool = False,
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> Solution: ...
     def illuminance(

@@ -104,7 +104,7 @@ class Scene:
 
     def radiosity(self, solver="stochastic_jacobi", formfactor="ray_cast", patch_size=0.0, tolerance=0.0, most_steps=0,
                   most_patches=2_000_000, seed=0, mesher="uniform", quality="normal", target_error=0.0,
-                  indirect_size=2.0, progress=None):
+                  indirect_size=2.0, checkpoint=None, every=60.0, resume=False, progress=None):
         """The light between the diffuse surfaces, view independent.
 
         solver, formfactor, mesher : methods of the families "radiosity", "formfactor", "mesher".
@@ -114,6 +114,8 @@ class Scene:
         target_error : of the light on surfaces, relative, where a solver draws samples.
         indirect_size : longest edge of what exchanges indirect light, in patch sizes; 0: all light on all patches.
         most_steps : 0: no limit.  most_patches : more are refused.
+        checkpoint : file that keeps what is done so far, written about each `every` seconds.  resume : go on from it
+            where it is there; the result has the same bytes as that of a run that was never ended.
         Returns Solution.  Raises NoSuchMethod, BadParam, BadInput (nothing shines), LimitExceeded.
 
         >>> import aktina
@@ -126,7 +128,9 @@ class Scene:
         options = {"solver": solver, "formfactor": formfactor, "mesher": mesher, "quality": quality,
                    "patch_size": float(patch_size), "tolerance": float(tolerance),
                    "target_error": float(target_error), "indirect_size": float(indirect_size),
-                   "most_steps": int(most_steps), "most_patches": int(most_patches)}
+                   "most_steps": int(most_steps), "most_patches": int(most_patches),
+                   "checkpoint": os.fspath(checkpoint) if checkpoint else "", "every": float(every),
+                   "resume": bool(resume)}
         return Solution(self, _core.solve_scene(self._scene, options, int(seed), progress))
 
     def illuminance(self, points, normals, method="path", samples=64, seed=0, progress=None):

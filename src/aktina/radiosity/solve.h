@@ -6,6 +6,7 @@
 
 #include "aktina/base/progress.h"
 #include "aktina/image/image.h"
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solution.h"
 #include "aktina/scene/scene.h"
 
@@ -25,6 +26,9 @@ struct RadiosityOptions {
   uint64_t most_steps = 0;            // 0: no limit
   uint64_t most_patches = 2'000'000;  // more are refused before memory is taken
   uint32_t seed = 0;
+  /// A run that was killed goes on from its checkpoint and gives the same bytes as one that was not. Meshing is done
+  /// again.
+  CheckpointOptions checkpoint{};
   /// Called after each step with the solution so far (patch values; vertices are not reconstructed yet), to watch it
   /// converge. With `ambient` the displayed radiosity of a patch is B + rho `ambient` (Cohen et al. 1988).
   struct Step {

@@ -80,12 +80,14 @@ TEST(AdaptiveDirect, WhatStaysIsNotComputedAnewAndIsRight) {
   PatchMesh mesh = make_method(meshers(), "mesher", "uniform")->mesh(scene, mesh_options, warnings);
   const size_t first = mesh.size();
   const Visibility visibility(scene);
-  const DirectLight light = refine_by_direct_light(scene, visibility, {3, 20}, options, mesh_options, mesh, nullptr);
+  KeptDirectLight kept(nullptr);
+  const DirectLight light =
+      refine_by_direct_light(scene, visibility, {3, 20}, options, mesh_options, mesh, kept, nullptr);
   EXPECT_GT(mesh.size(), 2 * first);
   const Sides sides(mesh);
   DirectLight anew;
   DirectSources(scene, sides, std::vector<uint8_t>(sides.size(), 0), visibility, options, mesh_options)
-      .shine_on(sides.all(), anew, nullptr);
+      .shine_on(sides.all(), anew, kept, nullptr);
   for (size_t s = 0; s < sides.size(); ++s) EXPECT_NEAR(light.all[s].g, anew.all[s].g, 1e-5f * anew.all[s].g + 1e-6f);
 }
 

@@ -125,7 +125,9 @@ TEST(MatrixRays, ArriveAsTheFactorsSay) {
       std::fill(factors.begin(), factors.end(), shooter == 0 ? 0.25 : 0.5);
     }
   } factors;
-  const MatrixRays rays(problem, factors, 3);
+  SolverControl control;
+  control.seed = 3;
+  const MatrixRays rays(problem, factors, control);
   std::vector<LightRays::Ray> sent;
   for (uint32_t k = 0; k < 4096; ++k) sent.push_back({2, k});
   std::vector<LightRays::Arrival> arrivals;

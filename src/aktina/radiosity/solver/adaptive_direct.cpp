@@ -66,7 +66,7 @@ std::vector<uint8_t> steep_patches(const Sides& sides, std::span<const Rgb> ligh
 
 DirectLight refine_by_direct_light(const Scene& scene, const Visibility& visibility, const Refinement& refinement,
                                    const RadiosityOptions& options, const MeshOptions& mesh_options, PatchMesh& mesh,
-                                   Progress* progress) {
+                                   KeptDirectLight& kept, Progress* progress) {
   QuadtreeForest forest(scene, std::move(mesh), options.most_patches);
   DirectLight light;
   PatchMesh current = forest.mesh();
@@ -74,7 +74,7 @@ DirectLight refine_by_direct_light(const Scene& scene, const Visibility& visibil
   for (int level = 0; !missing.empty(); ++level) {
     const Sides sides(current);
     DirectSources(scene, sides, ShooterHits(sides).buried(), visibility, options, mesh_options)
-        .shine_on(missing, light, progress);
+        .shine_on(missing, light, kept, progress);
     missing.clear();
     if (level == refinement.depth || (progress && progress->cancelled())) break;
     const std::vector<uint32_t> origin =

@@ -10,7 +10,7 @@ namespace aktina {
 /// @param mesh  the first one; afterwards the last
 DirectLight refine_by_direct_light(const Scene& scene, const Visibility& visibility, const Refinement& refinement,
                                    const RadiosityOptions& options, const MeshOptions& mesh_options, PatchMesh& mesh,
-                                   Progress* progress);
+                                   KeptDirectLight& kept, Progress* progress);
 
 /// By patch: whether light within it, reconstructed at its corners, differs by more than `most` of the light there or
 /// of the mean of all patches, whichever is more.

@@ -35,6 +35,12 @@ class ConjugateGradient final : public MatrixIteration {
       direction_[j] = preconditioned(s, j) + squared_ / before * direction_[j];
   }
 
+  void archive(Archive& a, size_t n) override {
+    a.any_length(residual_), a.any_length(direction_), a(squared_), a(first_squared_);
+    const bool begun = residual_.size() == n && direction_.size() == n;
+    a.expect(begun || (residual_.empty() && direction_.empty() && squared_ == 0 && first_squared_ == 0));
+  }
+
  private:
   /// Area over reflectance: what a row is multiplied by; the diagonal of the symmetric matrix, but for what sees
   /// itself.

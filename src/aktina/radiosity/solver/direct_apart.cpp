@@ -8,7 +8,7 @@ namespace aktina {
 
 DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibility& visibility,
                          const RadiosityOptions& options, const MeshOptions& mesh, DirectLight direct,
-                         Progress* progress)
+                         Progress* progress, KeptDirectLight& kept)
     : sides_(sides),
       hits_(sides),
       buried_(hits_.buried()),
@@ -19,7 +19,7 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibilit
       factors_(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
       interpolation_(patches_, sides, visibility) {
   const DirectSources sources(scene, sides, buried_, visibility, options, mesh);
-  if (direct.all.empty()) sources.shine_on(sides.all(), direct, progress);
+  if (direct.all.empty()) sources.shine_on(sides.all(), direct, kept, progress);
   direct_ = std::move(direct.all);
   RadiosityProblem all = sides.problem();
   for (const Rgb lamps : direct.lamps)

@@ -21,7 +21,7 @@ class DirectApart {
   /// @param direct  computed here where it is empty
   /// The other arguments must outlive this.
   DirectApart(const Scene& scene, const Sides& sides, const Visibility& visibility, const RadiosityOptions& options,
-              const MeshOptions& mesh, DirectLight direct, Progress* progress);
+              const MeshOptions& mesh, DirectLight direct, Progress* progress, KeptDirectLight& kept);
 
   /// What is left for a solver: coarse patches on which the direct light arrives.
   const RadiosityProblem& problem() const { return problem_; }

@@ -11,6 +11,7 @@ namespace {
 constexpr uint32_t kLampSamples = 4;  // places on a patch, each with a ray to each lamp
 constexpr uint32_t kSkySamples = 64;  // places on a patch, each with a ray to the sky
 constexpr size_t kGrain = 64;         // sides
+constexpr size_t kBlock = 1 << 14;    // sides between two looks whether a checkpoint is due
 
 /// A ray and what arrives along it if nothing is in between.
 struct Question {
@@ -73,19 +74,18 @@ class SideLight {
 
 bool has_lamps(const Scene& scene) { return !scene.lights.empty() || scene.environment.shines(); }
 
-std::vector<Rgb> direct_light(const Scene& scene, const Sides& sides, std::span<const uint32_t> of,
-                              const Visibility& visibility, uint32_t seed, Progress* progress) {
-  std::vector<Rgb> illuminance;
-  if (!has_lamps(scene)) return illuminance;
-  illuminance.resize(of.size());
+void direct_light(const Scene& scene, const Sides& sides, std::span<const uint32_t> of, const Visibility& visibility,
+                  uint32_t seed, Progress* progress, KeptList<Rgb>& illuminance) {
+  if (!has_lamps(scene)) return;
   if (progress) progress->begin("direct light", "patches", of.size());
-  parallel_for(of.size(), kGrain, [&](size_t begin, size_t end) {
-    if (progress && progress->cancelled()) return;
-    SideLight light(scene, sides, visibility, seed);
-    for (size_t i = begin; i < end; ++i) illuminance[i] = light.of(of[i]);
-    if (progress) progress->advance(end - begin);
+  illuminance.loop.run(of.size(), kBlock, progress, [&](size_t first, size_t last) {
+    parallel_for(last - first, kGrain, [&](size_t begin, size_t end) {
+      if (progress && progress->cancelled()) return;
+      SideLight light(scene, sides, visibility, seed);
+      for (size_t i = first + begin; i < first + end; ++i) illuminance.values[i] = light.of(of[i]);
+      if (progress) progress->advance(end - begin);
+    });
   });
-  return illuminance;
 }
 
 }  // namespace aktina

@@ -46,17 +46,19 @@ void DirectSources::find_emitters() {
   for (const auto& [power, i] : powers) emitters_.push_back(i), exitances_.push_back(exitance(i));
 }
 
-void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, Progress* progress) const {
+void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, KeptDirectLight& kept,
+                             Progress* progress) const {
   light.lamps.resize(sides_.size(), Rgb(0)), light.all.resize(sides_.size(), Rgb(0));
-  std::vector<Rgb> here = direct_light(scene_, sides_, of, visibility_, seed_, progress);
-  here.resize(of.size(), Rgb(0));
-  for (size_t i = 0; i < of.size(); ++i) light.lamps[of[i]] = here[i];
+  KeptDirectLight::Call& here = kept.next(of.size());
+  direct_light(scene_, sides_, of, visibility_, seed_, progress, here.lamps);
+  if (here.all.loop.done() == 0) here.all.values = here.lamps.values;
   if (!emitters_.empty() && !of.empty()) {
     ShotGeometry geometry(sides_, clusters_, true);
     geometry.receive_only({of.begin(), of.end()});
-    add_emitter_light(geometry, visibility_, emitters_, exitances_, samples_, seed_, progress, here);
+    add_emitter_light(geometry, visibility_, emitters_, exitances_, samples_, seed_, progress, here.all);
   }
-  for (size_t i = 0; i < of.size(); ++i) light.all[of[i]] = here[i];
+  for (size_t i = 0; i < of.size(); ++i)
+    light.lamps[of[i]] = here.lamps.values[i], light.all[of[i]] = here.all.values[i];
 }
 
 void DirectSources::take_out(std::vector<double>& emissions) const {

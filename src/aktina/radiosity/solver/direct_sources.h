@@ -1,8 +1,10 @@
 // Where light comes straight from: lamps, the sky, and the brightest emitting surfaces.
 #pragma once
 
+#include <deque>
 #include <vector>
 
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solve.h"
 #include "aktina/radiosity/solver/coarse_patches.h"
@@ -16,6 +18,26 @@ struct DirectLight {
   std::vector<Rgb> all;
 };
 
+/// Direct light in a checkpoint, as it was computed call by call.
+class KeptDirectLight {
+ public:
+  /// @param checkpoint  may be null
+  explicit KeptDirectLight(Checkpoint* checkpoint) : checkpoint_(checkpoint) {}
+  struct Call {
+    Call(Checkpoint* checkpoint, size_t sides)
+        : lamps(checkpoint, "light of lamps", sides), all(checkpoint, "direct light", sides) {}
+    KeptList<Rgb> lamps, all;
+  };
+  Call& next(size_t sides) {
+    if (!checkpoint_) calls_.clear();
+    return calls_.emplace_back(checkpoint_, sides);
+  }
+
+ private:
+  Checkpoint* checkpoint_;
+  std::deque<Call> calls_;
+};
+
 class DirectSources {
  public:
   /// @param buried  by side, as CoarsePatches has it. The arguments must outlive this.
@@ -24,7 +46,7 @@ class DirectSources {
 
   /// What arrives on the sides `of` replaces what `light` has there. The same values for a side whichever others are
   /// asked for with it.
-  void shine_on(std::span<const uint32_t> of, DirectLight& light, Progress* progress) const;
+  void shine_on(std::span<const uint32_t> of, DirectLight& light, KeptDirectLight& kept, Progress* progress) const;
   /// Takes what these sources emit out of the emissions of the sides' problem.
   void take_out(std::vector<double>& emissions) const;
 

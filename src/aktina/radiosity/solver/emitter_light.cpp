@@ -7,17 +7,22 @@
 #include "aktina/radiosity/solver/shots.h"
 
 namespace aktina {
+namespace {
+
+constexpr size_t kBlock = 32 * kShotChunk;  // sides between two looks whether a checkpoint is due
+
+}  // namespace
 
 void add_emitter_light(const ShotGeometry& geometry, const Visibility& visibility, std::span<const uint32_t> shooters,
                        std::span<const Rgb> exitances, int samples, uint32_t seed, Progress* progress,
-                       std::vector<Rgb>& irradiances) {
-  const size_t n = irradiances.size(), chunks = (n + kShotChunk - 1) / kShotChunk;
-  if (progress) progress->begin("light of emitters", "patches", n);
-  parallel_for(chunks, 1, [&](size_t begin, size_t end) {
+                       KeptList<Rgb>& light) {
+  std::vector<Rgb>& irradiances = light.values;
+  if (progress) progress->begin("light of emitters", "patches", irradiances.size());
+  const auto chunks = [&](size_t from, size_t to, size_t begin, size_t end) {
     std::vector<double> factors(shooters.size() * kShotChunk), totals(kShotChunk);
     int rays[kShotChunk];
     for (size_t chunk = begin; chunk < end && !(progress && progress->cancelled()); ++chunk) {
-      const size_t first = chunk * kShotChunk, count = std::min(kShotChunk, n - first);
+      const size_t first = from + chunk * kShotChunk, count = std::min(kShotChunk, to - first);
       std::fill(totals.begin(), totals.end(), 0.0);
       for (size_t j = 0; j < shooters.size(); ++j)
         for (size_t i = 0; i < count; ++i) {
@@ -36,6 +41,10 @@ void add_emitter_light(const ShotGeometry& geometry, const Visibility& visibilit
       }
       if (progress) progress->advance(count);
     }
+  };
+  light.loop.run(irradiances.size(), kBlock, progress, [&](size_t from, size_t to) {
+    parallel_for((to - from + kShotChunk - 1) / kShotChunk, 1,
+                 [&](size_t begin, size_t end) { chunks(from, to, begin, end); });
   });
 }
 

@@ -21,21 +21,26 @@ double dot(const double* a, const double* b, size_t n) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+size_t checked_count(const RadiosityProblem& p) {
+  if (double(p.size()) * double(p.shooters.size()) > kMostEntries)
+    throw Error(Code::limit, "matrix", fmt::format("{} x {} form factors", p.size(), p.shooters.size()),
+                "larger patches, indirect light on coarser ones, or the stochastic_jacobi solver");
+  return p.size() * p.shooters.size();
+}
+
 }  // namespace
 
 FactorMatrix::FactorMatrix(const RadiosityProblem& p, const FactorSource& source, const SolverControl& control)
-    : p_(p), columns_(p.shooters.size()) {
-  if (double(p.size()) * double(columns_) > kMostEntries)
-    throw Error(Code::limit, "matrix", fmt::format("{} x {} form factors", p.size(), columns_),
-                "larger patches, indirect light on coarser ones, or the stochastic_jacobi solver");
-  factors_.resize(p.size() * columns_);
+    : p_(p), columns_(p.shooters.size()), factors_(control.checkpoint, "form factors", checked_count(p)) {
   std::vector<double> column(p.size());
   if (control.progress) control.progress->begin("form factors", "columns", columns_);
-  for (size_t j = 0; j < columns_ && !control.stopped(0); ++j) {
-    source.column(j, column);
-    for (size_t s = 0; s < p.size(); ++s) factors_[s * columns_ + j] = column[s];
-    if (control.progress) control.progress->advance();
-  }
+  factors_.loop.run(columns_, 1, control.progress, [&](size_t begin, size_t end) {
+    for (size_t j = begin; j < end && !control.stopped(0); ++j) {
+      source.column(j, column);
+      for (size_t s = 0; s < p.size(); ++s) factors_.values[s * columns_ + j] = column[s];
+      if (control.progress) control.progress->advance();
+    }
+  });
   for (const RadiosityProblem::Range range : p.shooters) {
     double area = 0;
     for (size_t s = range.first; s < range.first + range.count; ++s) area += p.areas[s];
@@ -69,7 +74,7 @@ double FactorMatrix::row_times(size_t j, size_t band, const std::vector<double>&
   double sum = 0;
   for (size_t s = range.first; s < range.first + range.count; ++s)
     sum += p_.areas[s] / areas_[j] * p_.reflectances[s * p_.bands + band] *
-           dot(&factors_[s * columns_], x.data(), columns_);
+           dot(&factors_.values[s * columns_], x.data(), columns_);
   return sum;
 }
 
@@ -85,7 +90,7 @@ double FactorMatrix::entry(size_t j, size_t k, size_t band) const {
   const auto range = p_.shooters[j];
   double sum = 0;
   for (size_t s = range.first; s < range.first + range.count; ++s)
-    sum += p_.areas[s] / areas_[j] * p_.reflectances[s * p_.bands + band] * factors_[s * columns_ + k];
+    sum += p_.areas[s] / areas_[j] * p_.reflectances[s * p_.bands + band] * factors_.values[s * columns_ + k];
   return sum;
 }
 
@@ -103,7 +108,7 @@ std::vector<double> FactorMatrix::irradiances(const std::vector<double>& radiosi
     for (size_t s = begin; s < end; ++s)
       for (size_t b = 0; b < p_.bands; ++b) {
         double sum = p_.arriving.empty() ? 0 : p_.arriving[s * p_.bands + b];
-        for (size_t j = 0; j < columns_; ++j) sum += factors_[s * columns_ + j] * radiosities[j * p_.bands + b];
+        for (size_t j = 0; j < columns_; ++j) sum += factors_.values[s * columns_ + j] * radiosities[j * p_.bands + b];
         h[s * p_.bands + b] = sum;
       }
   });

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solver/problem.h"
 
 namespace aktina {
@@ -37,7 +38,7 @@ class FactorMatrix {
  private:
   const RadiosityProblem& p_;
   size_t columns_;
-  std::vector<double> factors_;  // by receiver and shooter
+  KeptList<double> factors_;  // by receiver and shooter
   std::vector<double> areas_, reflectances_;
 };
 

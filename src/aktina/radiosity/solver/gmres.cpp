@@ -46,6 +46,17 @@ class Gmres final : public MatrixIteration {
     basis_.push_back(std::move(next));
   }
 
+  void archive(Archive& a, size_t n) override {
+    a(first_), a.any_length(start_), a.any_length(right_), a.any_length(cosines_), a.any_length(sines_);
+    a.any_length(basis_), a.any_length(columns_);
+    const size_t steps = columns_.size();
+    a.expect(steps <= restart_ && cosines_.size() == steps && sines_.size() == steps);
+    if (basis_.empty()) return;
+    a.expect(start_.size() == n && right_.size() == steps + 1 && basis_.size() == steps + 1);
+    for (const Vector& v : basis_) a.expect(v.size() == n);
+    for (size_t i = 0; i < steps; ++i) a.expect(columns_[i].size() == i + 1);
+  }
+
  private:
   void start(const BandSystem& s) {
     basis_.clear(), columns_.clear(), cosines_.clear(), sines_.clear();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aktina/base/parallel.h"
+#include "aktina/radiosity/checkpoint.h"
 
 namespace aktina {
 namespace {
@@ -61,6 +62,11 @@ RadiosityState solve_by_sweeps(const RadiosityProblem& problem, const FactorSour
     renew_residual(systems.back());
     iterations.push_back(make());
   }
+  const CheckpointPart kept(control.checkpoint, "sweeps", [&](Archive& a) {
+    a(state.steps);
+    for (size_t b = 0; b < systems.size(); ++b)
+      a(systems[b].x), a(systems[b].residual), iterations[b]->archive(a, systems[b].x.size());
+  });
   if (control.progress) control.progress->begin("solving", "sweeps", 0);
   double left = error_left(systems, contraction);
   while (left > control.tolerance && state.steps < kMostSweeps && !control.stopped(state.steps)) {
@@ -68,9 +74,8 @@ RadiosityState solve_by_sweeps(const RadiosityProblem& problem, const FactorSour
     left = error_left(systems, contraction);
     ++state.steps;
     if (control.progress) control.progress->advance();
-    if (!control.each_step) continue;
-    account(problem, matrix, systems, state);
-    control.each_step(state);
+    if (control.each_step) account(problem, matrix, systems, state), control.each_step(state);
+    kept.save_when_due();
   }
   account(problem, matrix, systems, state);
   state.converged = left <= control.tolerance;

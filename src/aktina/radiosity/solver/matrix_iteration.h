@@ -24,6 +24,8 @@ class MatrixIteration {
   virtual ~MatrixIteration() = default;
   /// About as much work as one product with the matrix. Changes x; `residual` is renewed afterwards.
   virtual void sweep(BandSystem& system) = 0;
+  /// What it remembers. @param n  length of x
+  virtual void archive(Archive&, size_t /*n*/) {}
 };
 
 /// Sweeps until the residual bounds the error by `control.tolerance` of the largest radiosity. Cost: the form factors,

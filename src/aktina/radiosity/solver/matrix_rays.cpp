@@ -12,20 +12,28 @@ namespace {
 
 constexpr double kMostEntries = 1 << 28;  // 2 GiB
 
-}  // namespace
-
-MatrixRays::MatrixRays(const RadiosityProblem& problem, const FactorSource& factors, uint32_t seed)
-    : problem_(problem), seed_(seed) {
+size_t checked_count(const RadiosityProblem& problem) {
   const size_t rows = problem.size(), columns = problem.shooters.size();
   if (double(rows) * double(columns) > kMostEntries)
     throw Error(Code::limit, "matrix", fmt::format("{} x {} form factors", rows, columns),
                 "larger patches, or form factors by ray_cast");
-  sums_.resize(rows * columns);
-  std::vector<double> column(rows);
-  for (size_t j = 0; j < columns; ++j) {
-    factors.column(j, column);
-    for (size_t s = 0; s < rows; ++s) sums_[s * columns + j] = column[s] + (j > 0 ? sums_[s * columns + j - 1] : 0);
-  }
+  return rows * columns;
+}
+
+}  // namespace
+
+MatrixRays::MatrixRays(const RadiosityProblem& problem, const FactorSource& factors, const SolverControl& control)
+    : problem_(problem), sums_(control.checkpoint, "form factors", checked_count(problem)), seed_(control.seed) {
+  const size_t rows = problem.size(), columns = problem.shooters.size();
+  std::vector<double> column(rows), &sums = sums_.values;
+  if (control.progress) control.progress->begin("form factors", "columns", columns);
+  sums_.loop.run(columns, 1, control.progress, [&](size_t begin, size_t end) {
+    for (size_t j = begin; j < end && !control.stopped(0); ++j) {
+      factors.column(j, column);
+      for (size_t s = 0; s < rows; ++s) sums[s * columns + j] = column[s] + (j > 0 ? sums[s * columns + j - 1] : 0);
+      if (control.progress) control.progress->advance();
+    }
+  });
   double sum = 0;
   for (const double a : problem.areas) areas_.push_back(sum += a);
 }
@@ -34,7 +42,7 @@ void MatrixRays::follow(std::span<const Ray> rays, std::vector<Arrival>& arrival
   const size_t columns = problem_.shooters.size();
   for (uint32_t k = 0; k < rays.size(); ++k) {
     const Vec2 u = sobol_owen(rays[k].number, hash_combine(seed_, rays[k].from));
-    const double* row = &sums_[rays[k].from * columns];
+    const double* row = &sums_.values[rays[k].from * columns];
     const double* to = std::upper_bound(row, row + columns, double(u.x));
     if (to == row + columns) continue;
     const RadiosityProblem::Range range = problem_.shooters[size_t(to - row)];

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solver/problem.h"
 
 namespace aktina {
@@ -12,12 +13,12 @@ namespace aktina {
 class MatrixRays final : public LightRays {
  public:
   /// `problem` must outlive this. @throws Error limit (more than 2^28 factors)
-  MatrixRays(const RadiosityProblem& problem, const FactorSource& factors, uint32_t seed);
+  MatrixRays(const RadiosityProblem& problem, const FactorSource& factors, const SolverControl& control);
   void follow(std::span<const Ray> rays, std::vector<Arrival>& arrivals) const override;
 
  private:
   const RadiosityProblem& problem_;
-  std::vector<double> sums_;   // of the factors of a receiver to all shooters up to and with each
+  KeptList<double> sums_;      // of the factors of a receiver to all shooters up to and with each
   std::vector<double> areas_;  // sums over receivers
   uint32_t seed_;
 };

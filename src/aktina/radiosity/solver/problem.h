@@ -12,10 +12,12 @@
 #include <span>
 #include <vector>
 
+#include "aktina/base/archive.h"
 #include "aktina/base/progress.h"
 
 namespace aktina {
 
+class Checkpoint;
 class ReceiverSurfaces;
 
 /// Values by receiver and band stand band by band: [receiver * bands + band].
@@ -78,6 +80,10 @@ struct RadiosityState {
   double emitted = 0, absorbed = 0, escaped = 0;  // weighted flux; emitted = absorbed + escaped + unshot
   bool converged = false;
 
+  void archive(Archive& a) {
+    a(irradiances), a(direct), a(unshot), a(steps);
+    a(unshot_share), a(emitted), a(absorbed), a(escaped), a(converged);
+  }
   double radiosity(const RadiosityProblem& p, size_t receiver, size_t band) const {
     const size_t k = receiver * p.bands + band;
     return p.emissions[k] + p.reflectances[k] * irradiances[k];
@@ -90,6 +96,7 @@ struct SolverControl {
   uint64_t most_steps = 0;     // 0: no limit
   uint32_t seed = 0;
   Progress* progress = nullptr;
+  Checkpoint* checkpoint = nullptr;  // keeps what is done so far; may be null
   std::function<void(const RadiosityState&)> each_step{};
   bool stopped(uint64_t steps) const {
     return (progress && progress->cancelled()) || (most_steps > 0 && steps >= most_steps);

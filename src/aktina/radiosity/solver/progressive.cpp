@@ -9,6 +9,7 @@
 
 #include "aktina/base/parallel.h"
 #include "aktina/base/statistics.h"
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solver/solver.h"
 
 namespace aktina {
@@ -18,7 +19,7 @@ constexpr size_t kGrain = 64;  // shooters
 
 class Refinement {
  public:
-  explicit Refinement(const RadiosityProblem& p) : p_(p), emission_left_(p.shooters.size(), true) {
+  explicit Refinement(const RadiosityProblem& p) : p_(p), emission_left_(p.shooters.size(), 1) {
     state.irradiances = p.arriving;
     state.irradiances.resize(p.size() * p.bands, 0);
     state.direct = state.irradiances;
@@ -39,7 +40,7 @@ class Refinement {
     const std::vector<double> all = mean(state.unshot, p_.shooters[i]);
     std::vector<double> own(p_.bands, 0);
     if (emission_left_[i]) own = mean(p_.emissions, p_.shooters[i]);
-    emission_left_[i] = false;
+    emission_left_[i] = 0;
     const double sent = power_[i];
     clear(p_.shooters[i]);
     parallel_for(p_.shooters.size(), kGrain, [&](size_t begin, size_t end) {
@@ -51,6 +52,8 @@ class Refinement {
     ++state.steps;
     measure();
   }
+
+  void archive(Archive& a) { state.archive(a), a(emission_left_), a(power_); }
 
   RadiosityState state;
 
@@ -104,7 +107,7 @@ class Refinement {
   }
 
   const RadiosityProblem& p_;
-  std::vector<bool> emission_left_;
+  std::vector<uint8_t> emission_left_;
   std::vector<double> power_, received_, factors_;
 };
 
@@ -114,6 +117,7 @@ class ProgressiveSolver final : public RadiositySolver {
                        const SolverControl& control) const override {
     Refinement refinement(problem);
     RadiosityState& state = refinement.state;
+    const CheckpointPart kept(control.checkpoint, "shots", [&](Archive& a) { refinement.archive(a); });
     if (control.progress) control.progress->begin("solving", "shots", 0);
     while (state.unshot_share > control.tolerance && !control.stopped(state.steps)) {
       refinement.step(factors);
@@ -122,6 +126,7 @@ class ProgressiveSolver final : public RadiositySolver {
         state.absorbed = absorbed_flux(problem, state);
         control.each_step(state);
       }
+      kept.save_when_due();
     }
     state.absorbed = absorbed_flux(problem, state);
     state.converged = state.unshot_share <= control.tolerance;

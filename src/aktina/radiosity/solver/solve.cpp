@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "aktina/base/error.h"
 #include "aktina/radiosity/mesher/mesher.h"
@@ -22,8 +23,7 @@ namespace {
 
 std::string settings_of(const RadiosityOptions& o) {
   return fmt::format(
-      "solver={} formfactor={} mesher={} quality={} patch_size={:g} tolerance={:g} target_error={:g} "
-      "indirect_size={:g} "
+      "solver={} formfactor={} mesher={} quality={} patch_size={} tolerance={} target_error={} indirect_size={} "
       "most_steps={} seed={}",
       o.solver, o.formfactor, o.mesher, o.quality, o.patch_size, o.tolerance, o.target_error, o.indirect_size,
       o.most_steps, o.seed);
@@ -85,14 +85,19 @@ SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
 class SolveOnPatches {
  public:
   SolveOnPatches(const Scene& scene, const Sides& sides, const Visibility& visibility, const RadiosityOptions& options,
-                 Progress* progress)
-      : sides_(sides), geometry_(sides), surfaces_(scene, geometry_, visibility), problem_(sides.problem()) {
+                 Progress* progress, Checkpoint* checkpoint)
+      : sides_(sides),
+        geometry_(sides),
+        surfaces_(scene, geometry_, visibility),
+        lamps_(checkpoint, "light of lamps", has_lamps(scene) ? sides.size() : 0),
+        problem_(sides.problem()) {
     if (is_ray_cast(options.formfactor))
       factors_ = std::make_unique<RayCastShots>(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor),
                                                 options.seed);
     else
       factors_ = std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", options.formfactor));
-    for (const Rgb lamps : direct_light(scene, sides, sides.all(), visibility, options.seed, progress))
+    direct_light(scene, sides, sides.all(), visibility, options.seed, progress, lamps_);
+    for (const Rgb lamps : lamps_.values)
       for (int c = 0; c < 3; ++c) problem_.arriving.push_back(double(lamps[c]));
   }
 
@@ -118,6 +123,7 @@ class SolveOnPatches {
   const Sides& sides_;
   ShotGeometry geometry_;
   ReceiverSurfaces surfaces_;
+  KeptList<Rgb> lamps_;
   std::unique_ptr<FactorSource> factors_;
   RadiosityProblem problem_;
 };
@@ -161,17 +167,24 @@ Solution solve_radiosity(const Scene& scene, const RadiosityOptions& given, Prog
 
   const Visibility visibility(*tessellated);
   const Refinement refinement = mesher->refinement();
-  const SolverControl control = control_of(options, progress);
+  std::optional<Checkpoint> checkpoint;
+  if (!options.checkpoint.file.empty())
+    checkpoint.emplace(options.checkpoint, solution.scene_hash, solution.settings, progress);
+  SolverControl control = control_of(options, progress);
+  control.checkpoint = checkpoint ? &*checkpoint : nullptr;
   if (apart) {
+    KeptDirectLight kept(control.checkpoint);
     DirectLight direct;
     if (refinement.depth > 0)
-      direct = refine_by_direct_light(*tessellated, visibility, refinement, options, mesh, solution.mesh, progress);
+      direct =
+          refine_by_direct_light(*tessellated, visibility, refinement, options, mesh, solution.mesh, kept, progress);
     const Sides sides(solution.mesh);
-    solve_apart(DirectApart(*tessellated, sides, visibility, options, mesh, std::move(direct), progress), *solver,
+    solve_apart(DirectApart(*tessellated, sides, visibility, options, mesh, std::move(direct), progress, kept), *solver,
                 sides, options, control, solution);
   } else {
     const Sides sides(solution.mesh);
-    SolveOnPatches(*tessellated, sides, visibility, options, progress).solve(*solver, options, control, solution);
+    SolveOnPatches(*tessellated, sides, visibility, options, progress, control.checkpoint)
+        .solve(*solver, options, control, solution);
   }
   reconstruct_vertices(solution);
   return solution;

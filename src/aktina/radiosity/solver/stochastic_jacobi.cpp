@@ -14,6 +14,7 @@
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
 #include "aktina/base/statistics.h"
+#include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solver/matrix_rays.h"
 #include "aktina/radiosity/solver/solver.h"
 
@@ -23,6 +24,7 @@ namespace {
 constexpr size_t kBatch = 1 << 18;        // rays that are followed before their light is added up
 constexpr size_t kGrain = 1 << 12;        // rays
 constexpr size_t kGatherGrain = 8;        // receivers
+constexpr size_t kBlock = 1 << 9;         // receivers between two looks whether a checkpoint is due
 constexpr double kMostReflected = 0.95;   // mean reflectance by which the flux to come is foreseen
 constexpr double kLeastRays = 256;        // of a step
 constexpr double kRaysAtOneError = 0.07;  // rays a receiver looks about with, times the square of the target error
@@ -36,6 +38,7 @@ class Jacobi {
       : p_(p), rays_(rays), control_(control), next_(p.size(), 0) {
     state.irradiances = p.arriving;
     state.irradiances.resize(p.size() * p.bands, 0);
+    state.direct = state.irradiances;
     state.emitted = p.emitted();
     state.unshot.resize(p.size() * p.bands);
     for (size_t k = 0; k < state.unshot.size(); ++k)
@@ -49,7 +52,6 @@ class Jacobi {
   void step() {
     const bool emits = state.steps == 0 && flux(p_.emissions) > 0;
     std::vector<double> sent(emits ? p_.emissions : state.unshot), received(state.unshot.size(), 0);
-    if (state.steps == 0 && !emits) state.direct = state.irradiances;
     shoot(sent, received);
     if (control_.progress && control_.progress->cancelled()) return;  // half a step is no step
     for (size_t k = 0; k < received.size(); ++k) {
@@ -61,16 +63,21 @@ class Jacobi {
     measure();
   }
 
+  void archive(Archive& a) { state.archive(a), a(next_), a(arrived_); }
+
   /// Each receiver's irradiance by rays of its own, averaged with what has been shot to it.
   void gather() {
     const size_t bands = p_.bands;
     std::vector<double> seen(state.irradiances.size()), emitted(seen.size()), mean(p_.size()), squares(p_.size());
     if (control_.progress) control_.progress->begin("gathering", "patches", p_.size());
-    parallel_for(p_.size(), kGatherGrain, [&](size_t begin, size_t end) {
-      Look look;
-      for (size_t s = begin; s < end && !control_.stopped(0); ++s)
-        look_about(uint32_t(s), look, {&seen[s * bands], bands}, {&emitted[s * bands], bands}, mean[s], squares[s]);
-      if (control_.progress) control_.progress->advance(end - begin);
+    KeptLoop kept(control_.checkpoint, "looks", [&](Archive& a) { a(seen), a(emitted), a(mean), a(squares); });
+    kept.run(p_.size(), kBlock, control_.progress, [&](size_t first, size_t last) {
+      parallel_for(last - first, kGatherGrain, [&](size_t begin, size_t end) {
+        Look look;
+        for (size_t s = first + begin; s < first + end && !control_.stopped(0); ++s)
+          look_about(uint32_t(s), look, {&seen[s * bands], bands}, {&emitted[s * bands], bands}, mean[s], squares[s]);
+        if (control_.progress) control_.progress->advance(end - begin);
+      });
     });
     if (control_.stopped(0)) return;
     // Weights are the reciprocals of variances, of the mean receiver: they must not depend on what was drawn for it.
@@ -145,14 +152,18 @@ class Jacobi {
     if (!(total > 0)) return;
     const double count = std::max(std::round(flux(sent) / flux_per_ray_), kLeastRays);
     std::vector<LightRays::Ray> batch;
-    const double start = double(van_der_corput_owen(uint32_t(state.steps), hash32(control_.seed)));
     uint64_t done = 0;
-    for (uint32_t s = 0; s < p_.size(); ++s) {
+    uint32_t s = 0;
+    const CheckpointPart kept(control_.checkpoint, "shots", [&](Archive& a) { a(s), a(done), a(received); });
+    const double start = double(van_der_corput_owen(uint32_t(state.steps), hash32(control_.seed)));
+    while (s < p_.size()) {
       const auto until = uint64_t(upto[s] / total * count + start);  // so many rays from each as is its share
       for (; done < until; ++done) batch.push_back({s, next_[s]++});
-      if (batch.size() < kBatch && s + 1 < p_.size()) continue;
+      ++s;
+      if (batch.size() < kBatch && s < p_.size()) continue;
       send(batch, sent, upto, total / count, received);
       batch.clear();
+      kept.save_when_due();
     }
   }
 
@@ -218,16 +229,15 @@ class StochasticJacobi final : public RadiositySolver {
   RadiosityState solve(const RadiosityProblem& problem, const FactorSource& factors,
                        const SolverControl& control) const override {
     std::unique_ptr<LightRays> made;
-    if (!factors.rays()) made = std::make_unique<MatrixRays>(problem, factors, control.seed);
+    if (!factors.rays()) made = std::make_unique<MatrixRays>(problem, factors, control);
     Jacobi jacobi(problem, made ? *made : *factors.rays(), control);
     RadiosityState& state = jacobi.state;
+    const CheckpointPart kept(control.checkpoint, "steps", [&](Archive& a) { jacobi.archive(a); });
     while (state.unshot_share > control.tolerance && !control.stopped(state.steps)) {
       jacobi.step();
-      if (!control.each_step) continue;
-      account(problem, state);
-      control.each_step(state);
+      if (control.each_step) account(problem, state), control.each_step(state);
+      kept.save_when_due();
     }
-    if (state.direct.empty()) state.direct = state.irradiances;
     state.converged = state.unshot_share <= control.tolerance;
     if (state.converged) jacobi.gather();
     account(problem, state);
