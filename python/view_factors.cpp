@@ -22,9 +22,9 @@ struct ViewFactorArrays {
   std::shared_ptr<const ViewFactors> factors;
   std::string certificate;
 
-  template <class T>
-  Array of(const std::vector<T>& values) const {
-    return array_view<T>(factors, values.data(), {py::ssize_t(values.size())});
+  template <class Values>
+  Array of(const Values& values) const {
+    return array_view<typename Values::value_type>(factors, values.data(), {py::ssize_t(values.size())});
   }
 };
 

@@ -56,8 +56,8 @@ hid_t utf8_type() {
   return type;
 }
 
-template <class T>
-void add(hid_t file, const char* name, const std::vector<T>& values, std::vector<hsize_t> shape) {
+template <class Values>
+void add(hid_t file, const char* name, const Values& values, std::vector<hsize_t> shape) {
   const Handle space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), H5Sclose);
   const hid_t type = type_of(values.data());
   const Dataset set(file, name, type, space);

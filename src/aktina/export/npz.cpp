@@ -52,9 +52,10 @@ void put(std::string& out, T value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+/// @param values  numbers that follow each other
+template <class Values>
+std::string_view bytes_of(const Values& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(*values.data())};
 }
 
 /// .npy: magic, version 1.0, a Python dictionary padded to 64 bytes.
@@ -104,8 +105,8 @@ class NpzWriter {
     for (const std::string_view part : parts) write(part);
     entries_.push_back(entry);
   }
-  template <class T>
-  void numbers(const std::string& name, std::string_view type, const std::vector<T>& values, const std::string& shape) {
+  template <class Values>
+  void numbers(const std::string& name, std::string_view type, const Values& values, const std::string& shape) {
     const std::string_view part = bytes_of(values);
     array(name, type, shape, {&part, 1});
   }

@@ -86,10 +86,31 @@ class BlockerFinder {
     if (!closes(part, body)) return std::nullopt;
     if (!std::any_of(part.begin(), part.end(), [&](size_t i) { return parts_the_scene(polygons_[i].plane); }))
       return std::nullopt;
-    for (const size_t i : part) body.faces.push_back(shrunken(polygons_[i].vertices));
+    draw_in(part, body);
     bound(body);
     return body;
   }
+
+  /// Each corner by itself, so that faces go on sharing theirs.
+  void draw_in(const std::vector<size_t>& part, Blocker& body) const {
+    Point3d middle(0);
+    double count = 0;
+    for (const size_t i : part)
+      for (const Point3d& v : polygons_[i].vertices) middle += v, ++count;
+    middle /= count;
+    std::map<uint32_t, Point3d> corners;
+    for (const size_t i : part) {
+      Contour& face = body.faces.emplace_back();
+      for (size_t k = 0; k < polygons_[i].vertices.size(); ++k) {
+        const Point3d v = polygons_[i].vertices[k];
+        const auto [at, fresh] = corners.try_emplace(edges_[i][k].first, v);
+        if (fresh) at->second = v + drawn_in(corners.size()) * (middle - v);
+        face.push_back(at->second);
+      }
+    }
+  }
+  /// A little differently at each corner: edges must not stay parallel to what they coincided with.
+  double drawn_in(size_t k) const { return shrink_ * (1 + 0.37 * double(k % 3) + 0.11 * double(k % kMostCorners)); }
 
   bool closes(const std::vector<size_t>& part, Blocker& body) const {
     std::map<Edge, Point3d> edges;
@@ -136,13 +157,11 @@ class BlockerFinder {
     return blocker;
   }
 
-  /// A little differently at each corner: edges must not stay parallel to what they coincided with.
   Contour shrunken(const Contour& contour) const {
     Point3d middle(0);
     for (const Point3d& v : contour) middle += v / double(contour.size());
     Contour result;
-    for (size_t k = 0; k < contour.size(); ++k)
-      result.push_back(contour[k] + shrink_ * (1 + 0.37 * double(k % 3) + 0.11 * double(k)) * (middle - contour[k]));
+    for (size_t k = 0; k < contour.size(); ++k) result.push_back(contour[k] + drawn_in(k) * (middle - contour[k]));
     return result;
   }
 

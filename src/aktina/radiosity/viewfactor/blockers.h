@@ -29,6 +29,7 @@ class BlockerTree {
  public:
   explicit BlockerTree(std::vector<Blocker> blockers);
   const Blocker& operator[](uint32_t k) const { return blockers_[k]; }
+  size_t size() const { return blockers_.size(); }
 
   /// Adds those whose bounding spheres come nearer than `reach` to the line from a to b, in ascending order; stops when
   /// there are more than `most`.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "aktina/radiosity/formfactor/shadow.h"
-#include "aktina/radiosity/viewfactor/receiver_points.h"
 
 namespace aktina {
 namespace {
@@ -24,19 +23,21 @@ struct Shares {
 template <class T>
 class ClippedShare {
  public:
-  ClippedShare(const ObstructedSource<T>& between, double wanted, bool exact)
-      : between_(between), wanted_(wanted), exact_(exact) {
+  ClippedShare(const ObstructedSource<T>& between, ReceiverCells<T>& receiver, double wanted, bool exact)
+      : between_(between), receiver_(receiver), wanted_(wanted), exact_(exact) {
     polygon_.count = int(between.source.size());
     for (int k = 0; k < polygon_.count; ++k)
-      for (int axis = 0; axis < 3; ++axis) polygon_.corners[k][axis] = placed(between.source[size_t(k)], axis);
+      for (int axis = 0; axis < 3; ++axis)
+        polygon_.corners[k][axis] = T((between.source[size_t(k)][axis] - receiver.origin()[axis]) / receiver.unit());
     for (int axis = 0; axis < 3; ++axis) normal_[axis] = T(between.normal[axis]);
   }
 
-  Estimate of(const Contour& receiver) {
-    const std::vector<Cell> cells = cells_of(receiver);
-    std::vector<Shares> coarse;
+  Estimate run() {
+    if (kBetweenPoints <= wanted_ && !anything_hides()) return {1, kBetweenPoints};
+    std::array<Shares, 2> coarse;
     Shares first;
-    for (const Cell& cell : cells) first += coarse.emplace_back(look_from(cell));
+    for (size_t k = 0; k < receiver_.size(); ++k)
+      first += coarse[k] = look_from(receiver_.cell(k), receiver_.coarse(k));
     if (!(first.whole > 0)) return {1, 0};
     // Where sixteen points see no shadow or nothing else, a corner of one may still pass between them.
     const bool uniform = first.low >= (1 - 1e-5) * first.whole || first.high <= 1e-5 * first.whole;
@@ -46,17 +47,27 @@ class ClippedShare {
     if (first.high - first.low > 2 * std::max(wanted_, 1e-3) * first.whole && !exact_) return {0, 1};
     least_halvings_ = wanted_ < 1e-5 ? 2 : wanted_ < 1e-3 ? 1 : 0;  // two sums may agree by chance
     if (uniform) error_ = 0.04 * kBetweenPoints * first.whole;
-    for (size_t k = 0; k < cells.size(); ++k) refine(cells[k], coarse[k], 0.5 * wanted_ * first.whole, 0);
+    for (size_t k = 0; k < receiver_.size(); ++k) {
+      std::array<Shares, 4> quarters;
+      for (int q = 0; q < 4; ++q)
+        quarters[size_t(q)] = look_from(receiver_.cell(k).quarter(q), receiver_.quarter(k, q));
+      refine(receiver_.cell(k), coarse[k], quarters, 0.5 * wanted_ * first.whole, 0);
+    }
     return {sum_.seen() / sum_.whole, (error_ + 0.5 * (sum_.high - sum_.low)) / sum_.whole};
   }
 
  private:
-  T placed(const Point3d& p, int axis) const { return T((p[axis] - between_.origin[axis]) / between_.unit); }
+  bool anything_hides() const {
+    for (size_t k = 0; k < receiver_.size(); ++k)
+      if (may_hide(receiver_.coarse(k).lanes, polygon_, between_.blocking.data(), between_.blocking.size()))
+        return true;
+    return false;
+  }
 
-  void refine(const Cell& cell, const Shares& coarse, double allowed, int halvings) {
-    std::array<Shares, 4> quarters;
+  void refine(const Cell& cell, const Shares& coarse, const std::array<Shares, 4>& quarters, double allowed,
+              int halvings) {
     Shares fine;
-    for (int k = 0; k < 4; ++k) fine += quarters[size_t(k)] = look_from(cell.quarter(k));
+    for (const Shares& quarter : quarters) fine += quarter;
     cells_left_ -= std::min<size_t>(cells_left_, 4);
     // Of the share, for the rule that both sums follow is not exact for the unobstructed factor either.
     const double difference =
@@ -65,31 +76,40 @@ class ClippedShare {
       sum_ += fine, error_ += difference;
       return;
     }
-    for (int k = 0; k < 4; ++k) refine(cell.quarter(k), quarters[size_t(k)], 0.5 * allowed, halvings + 1);
+    for (int k = 0; k < 4; ++k) {
+      const Cell part = cell.quarter(k);
+      std::array<Shares, 4> smaller;
+      for (int q = 0; q < 4; ++q) {
+        const Cell tiny = part.quarter(q);
+        smaller[size_t(q)] = look_from(tiny, cell_points<T>(tiny, receiver_.origin(), receiver_.unit()));
+      }
+      refine(part, quarters[size_t(k)], smaller, 0.5 * allowed, halvings + 1);
+    }
   }
 
-  Shares look_from(const Cell& cell) const {
-    const std::array<SurfaceSample, kLeaf> samples = gauss_points(cell);
-    PointLanes<T> lanes;
-    for (size_t k = 0; k < kLeaf; ++k)
-      for (int axis = 0; axis < 3; ++axis) lanes.x[axis][k] = placed(samples[k].x, axis);
+  Shares look_from(const Cell& cell, const CellPoints<T>& points) const {
     Seen<T> seen;
-    look(lanes, normal_, polygon_, between_.blocking.data(), between_.blocking.size(), seen);
+    look(points.lanes, normal_, polygon_, between_.blocking.data(), between_.blocking.size(), seen);
     Shares shares;
     for (size_t k = 0; k < kLeaf; ++k) {
       const double whole = double(seen.whole[k]), hidden = double(seen.hidden[k]), most = double(seen.most[k]);
       if (!(whole > 0)) continue;
       double low = std::max(0.0, whole - hidden), high = std::max(0.0, whole - most);
-      if (exact_ && high - low > 1e-6 * whole)
-        low = high =
-            visible_part(samples[k].x, between_.normal, {&between_.source, 1}, between_.contours, between_.tolerance)
-                .visible;
-      shares += {samples[k].area * whole, samples[k].area * low, samples[k].area * high};
+      if (exact_ && high - low > 1e-6 * whole) low = high = visible_from(gauss_points(cell)[k].x);
+      shares += {points.areas[k] * whole, points.areas[k] * low, points.areas[k] * high};
     }
     return shares;
   }
 
+  double visible_from(Point3d x) const {
+    const Contour source(between_.source.begin(), between_.source.end());
+    std::vector<Contour> occluders;
+    for (const Contour* contour : between_.contours) occluders.push_back(*contour);
+    return visible_part(x, between_.normal, {&source, 1}, occluders, between_.tolerance).visible;
+  }
+
   const ObstructedSource<T>& between_;
+  ReceiverCells<T>& receiver_;
   double wanted_;
   bool exact_;
   SourcePolygon<T> polygon_{};
@@ -103,11 +123,12 @@ class ClippedShare {
 }  // namespace
 
 template <class T>
-Estimate visible_share_by_clipping(const ObstructedSource<T>& between, const Contour& receiver, double wanted,
+Estimate visible_share_by_clipping(const ObstructedSource<T>& between, ReceiverCells<T>& receiver, double wanted,
                                    bool exact) {
-  return ClippedShare<T>(between, wanted, exact).of(receiver);
+  return ClippedShare<T>(between, receiver, wanted, exact).run();
 }
-template Estimate visible_share_by_clipping<float>(const ObstructedSource<float>&, const Contour&, double, bool);
-template Estimate visible_share_by_clipping<double>(const ObstructedSource<double>&, const Contour&, double, bool);
+template Estimate visible_share_by_clipping<float>(const ObstructedSource<float>&, ReceiverCells<float>&, double, bool);
+template Estimate visible_share_by_clipping<double>(const ObstructedSource<double>&, ReceiverCells<double>&, double,
+                                                    bool);
 
 }  // namespace aktina

@@ -3,20 +3,20 @@
 
 #include <span>
 
-#include "aktina/radiosity/viewfactor/kernels.h"
+#include "aktina/radiosity/viewfactor/receiver_cells.h"
 #include "aktina/radiosity/viewfactor/sight_rays.h"
 
 namespace aktina {
 
-/// A source in front of a receiver's plane, and what stands between.
+/// A source in front of a receiver's plane, and what stands between; coordinates of blocking polygons are those of the
+/// receiver's cells.
 template <class T>
 struct ObstructedSource {
-  const Contour& source;
-  Vec3d normal;            // of the receiver
-  Point3d origin;          // of the blocking polygons' coordinates,
-  double unit, tolerance;  // and their unit, m
+  std::span<const Point3d> source;
+  Vec3d normal;      // of the receiver
+  double tolerance;  // m
   std::span<const BlockingPolygon<T>> blocking;
-  std::span<const Contour> contours;  // of the same polygons
+  std::span<const Contour* const> contours;  // of the same blockers
 };
 
 /// The visible share of what leaves the receiver for the source: cells of the receiver are cut in four until four agree
@@ -25,7 +25,7 @@ struct ObstructedSource {
 /// @param exact   where shadows of several blockers overlap at a point their union is found (slow), else they are left
 ///                uncertain
 template <class T>
-Estimate visible_share_by_clipping(const ObstructedSource<T>& between, const Contour& receiver, double wanted,
+Estimate visible_share_by_clipping(const ObstructedSource<T>& between, ReceiverCells<T>& receiver, double wanted,
                                    bool exact);
 
 }  // namespace aktina

@@ -2,38 +2,56 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "aktina/base/progress.h"
 #include "aktina/radiosity/viewfactor/leaves.h"
-#include "aktina/radiosity/viewfactor/view_factors.h"
 
 namespace aktina {
 
-/// Between the fragments of two leaves, the first of lower number.
-struct ExchangeBlock {
-  uint32_t a, b;              // leaves
-  double area[kLeaf][kLeaf];  // A_i F_ij, m^2
-  float error[kLeaf][kLeaf];  // estimates, m^2
+/// Between two fragments.
+struct Exchange {
+  uint8_t of_a, of_b;  // places in their leaves
+  float error;         // estimate, m^2
+  double area;         // A_i F_ij, m^2; above 0
 };
 
-/// The same of one pair of fragments, where leaves are too small for blocks.
-struct ExchangeEntry {
-  uint32_t a, b;  // fragments
-  float error;
-  double area;
+/// Between the fragments of two leaves, the first of lower number.
+struct LeafExchange {
+  uint32_t a, b;  // leaves
+  uint32_t count;
+  std::unique_ptr<Exchange[]> pairs;
+  std::span<const Exchange> all() const { return {pairs.get(), count}; }
 };
 
 struct Exchanges {
-  Leaves leaves;
-  std::vector<std::vector<std::unique_ptr<ExchangeBlock>>> blocks;  // of each leaf: with those above; none where all 0
-  std::vector<std::vector<ExchangeEntry>> entries;                  // of each leaf: with those above; none that is 0
-  double largest_excess = 0;  // of a factor above its unobstructed value, before it was held to that
-  uint64_t held = 0;          // pairs
+  std::vector<std::vector<LeafExchange>> lists;  // of each leaf asked for
+  double largest_excess = 0;                     // of a factor above its unobstructed value, before it was held to that
+  uint64_t held = 0;                             // pairs
 };
 
-/// @param target_error   of F_ij and of F_ji
-/// @param allowed_bytes  of memory for what is found and the matrix that is made of it
-/// @throws Error limit (from a sample of the leaves, before memory is taken), cancelled
-Exchanges exchanges(const Faces& faces, double target_error, double allowed_bytes, Progress* progress);
+class ExchangeFinder {
+ public:
+  /// @param target_error  of F_ij and of F_ji
+  ExchangeFinder(const Faces& faces, double target_error);
+  ~ExchangeFinder();
+  const Leaves& leaves() const;
+
+  /// Pairs of fragments that may see something of each other, and of those the ones with something in between; from a
+  /// sample of the leaves.
+  struct Forecast {
+    double pairs = 0, obstructed = 0;
+  };
+  Forecast forecast() const;
+
+  /// Between the leaves asked for (ascending) and all leaves; what lies between two that are asked for comes once.
+  /// @throws Error cancelled
+  Exchanges find(std::span<const uint32_t> leaves, Progress* progress) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace aktina

@@ -53,12 +53,13 @@ void add_lanes(const SourceLanes<float>& sources, const ReceiverPoint<float>* po
 void add_lanes(const SourceLanes<double>& sources, const ReceiverPoint<double>* points, size_t count, const double n[3],
                double sums[kLeaf]);
 
-/// Convex polygons in front of receiver and source; all coordinates are relative to one origin.
+/// Convex polygons in front of receiver and source, and outlines of convex bodies, which need not be planar; all
+/// coordinates are relative to one origin.
 template <class T>
 struct BlockingPolygon {
   T corners[kMostBlocking][3];
   int count;            // 0: nothing of it is in between, it only tells where its blocker is
-  T normal[3], offset;  // plane: dot(normal, x) = offset
+  T normal[3], offset;  // plane: dot(normal, x) = offset; of an outline: (0, 0, 0), -1, so that all see its front
   bool two_sided;       // hides when seen from behind, too
   bool first;           // of its blocker: their shadows do not overlap
   bool closed;          // points behind all of its polygons see nothing
@@ -87,5 +88,19 @@ void look(const PointLanes<float>& points, const float n[3], const SourcePolygon
           const BlockingPolygon<float>* blocking, size_t count, Seen<float>& seen);
 void look(const PointLanes<double>& points, const double n[3], const SourcePolygon<double>& source,
           const BlockingPolygon<double>* blocking, size_t count, Seen<double>& seen);
+
+/// Whether anything is hidden from any of the points, much faster than look(). May say true where nothing is.
+bool may_hide(const PointLanes<float>& points, const SourcePolygon<float>& source,
+              const BlockingPolygon<float>* blocking, size_t count);
+bool may_hide(const PointLanes<double>& points, const SourcePolygon<double>& source,
+              const BlockingPolygon<double>* blocking, size_t count);
+
+/// Of the sources in `lanes`, those that a convex blocker hides wholly from a receiver: a segment between two corners
+/// is stopped where the blocker's bounds leave some of it behind all of them.
+/// @param receiver, sources  heights of corners over the bounds: [bound][4 corners][16 polygons], of the receiver from
+///                           its own lane on
+/// @param surface            bounds in whose plane the blocker itself lies: segments that end there are not stopped
+uint32_t blocked_lanes(const float* receiver, const float* sources, size_t bounds, size_t surface, float tolerance,
+                       uint32_t lanes);
 
 }  // namespace aktina

@@ -147,65 +147,102 @@ HWY_INLINE V part(D d, const Three<V>& a, const Three<V>& b, V from, V to, const
       kept, edge_term(d, dot(p, q), inverse_root(d, dot(p, p)), inverse_root(d, dot(q, q)), own, facing * share));
 }
 
-/// 2 pi times the form factor of the part of the source that the polygon covers.
+/// A blocking polygon as the points see it.
+template <class D>
+struct Pyramid {
+  using V = hn::Vec<D>;
+  Three<V> corners[kMostBlocking], sides[kMostBlocking];
+  V heights[kMostBlocking][kMostSource];  // of the source's corners over the sides
+  int count;
+};
+
+/// False where the source is beside the polygon for all points.
 /// @param seen  +1 where its front is seen, -1 its back
 template <class D, class T = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> covered(D d, const View<D>& source, const Three<hn::Vec<D>>& x, const Three<hn::Vec<D>>& n,
-                              const BlockingPolygon<T>& polygon, hn::Vec<D> seen) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, T(1));
-  Three<hn::Vec<D>> c[kMostBlocking];
+HWY_INLINE bool look_past(D d, const View<D>& source, const Three<hn::Vec<D>>& x, const BlockingPolygon<T>& polygon,
+                          hn::Vec<D> seen, Pyramid<D>& pyramid) {
+  const auto zero = hn::Zero(d);
+  pyramid.count = polygon.count;
+  for (int k = 0; k < polygon.count; ++k) pyramid.corners[k] = spread(d, polygon.corners[k]) - x;
   for (int k = 0; k < polygon.count; ++k) {
-    const auto corner = spread(d, polygon.corners[k]);
-    c[k] = {corner.x - x.x, corner.y - x.y, corner.z - x.z};
+    auto& side = pyramid.sides[k];
+    side = cross(pyramid.corners[k + 1 == polygon.count ? 0 : k + 1], pyramid.corners[k]);
+    side = {side.x * seen, side.y * seen, side.z * seen};
+    auto highest = zero;
+    for (int e = 0; e < source.count; ++e) {
+      pyramid.heights[k][e] = dot(side, source.corners[e]);
+      highest = hn::Max(highest, pyramid.heights[k][e]);
+    }
+    if (hn::AllFalse(d, highest > zero)) return false;
   }
-  hn::Vec<D> from[kMostSource], to[kMostSource];
-  for (int e = 0; e < source.count; ++e) from[e] = zero, to[e] = one;
+  return true;
+}
+
+/// 2 pi times the form factor of the part of the source that the polygon covers.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> covered(D d, const View<D>& source, const Three<hn::Vec<D>>& n, const Pyramid<D>& polygon) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, T(1));
+  hn::Vec<D> over[kMostBlocking][kMostSource];  // heights of the polygon's corners over the source's sides
+  for (int e = 0; e < source.count; ++e) {
+    auto highest = zero;
+    for (int k = 0; k < polygon.count; ++k) {
+      over[k][e] = dot(source.sides[e], polygon.corners[k]);
+      highest = hn::Max(highest, over[k][e]);
+    }
+    if (hn::AllFalse(d, highest > zero)) return zero;
+  }
   auto sum = zero;
   for (int k = 0; k < polygon.count; ++k) {
     const int next = k + 1 == polygon.count ? 0 : k + 1;
-    auto side = cross(c[next], c[k]);
-    side = {side.x * seen, side.y * seen, side.z * seen};
-    hn::Vec<D> heights[kMostSource];
-    for (int e = 0; e < source.count; ++e) heights[e] = dot(side, source.corners[e]);
-    auto highest = zero;
-    for (int e = 0; e < source.count; ++e) highest = hn::Max(highest, heights[e]);
-    if (hn::AllFalse(d, highest > zero)) return zero;  // the source is beside the polygon for all points
-    for (int e = 0; e < source.count; ++e)
-      cut(d, heights[e], heights[e + 1 == source.count ? 0 : e + 1], from[e], to[e]);
     auto begin = zero, end = one;
-    for (int e = 0; e < source.count; ++e)
-      cut(d, dot(source.sides[e], c[k]), dot(source.sides[e], c[next]), begin, end);
-    sum = sum + part(d, c[k], c[next], begin, end, side, dot(n, side));
+    for (int e = 0; e < source.count; ++e) cut(d, over[k][e], over[next][e], begin, end);
+    sum = sum +
+          part(d, polygon.corners[k], polygon.corners[next], begin, end, polygon.sides[k], dot(n, polygon.sides[k]));
   }
   for (int e = 0; e < source.count; ++e) {
     const int next = e + 1 == source.count ? 0 : e + 1;
-    sum = sum + part(d, source.corners[e], source.corners[next], from[e], to[e], source.sides[e], source.facing[e]);
+    auto begin = zero, end = one;
+    for (int k = 0; k < polygon.count; ++k) cut(d, polygon.heights[k][e], polygon.heights[k][next], begin, end);
+    sum = sum + part(d, source.corners[e], source.corners[next], begin, end, source.sides[e], source.facing[e]);
   }
   return sum;
 }
+
+/// Where the points are over a blocking polygon's plane.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> height_over(D d, const BlockingPolygon<T>& polygon, const Three<hn::Vec<D>>& x) {
+  return dot(spread(d, polygon.normal), x) - hn::Set(d, polygon.offset);
+}
+
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE Three<hn::Vec<D>> points_at(D d, const PointLanes<T>& points, size_t lane) {
+  return {hn::Load(d, points.x[0] + lane), hn::Load(d, points.x[1] + lane), hn::Load(d, points.x[2] + lane)};
+}
+
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE void place(D d, const SourcePolygon<T>& polygon, const Three<hn::Vec<D>>& x, View<D>& source) {
+  source.count = polygon.count;
+  for (int k = 0; k < polygon.count; ++k) source.corners[k] = spread(d, polygon.corners[k]) - x;
+}
+
+template <class T>
+constexpr T kEdgeOn = sizeof(T) == 4 ? T(1e-6) : T(1e-12);
 
 template <class T>
 HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const SourcePolygon<T>& polygon,
                        const BlockingPolygon<T>* blocking, size_t count, Seen<T>& seen) {
   const hn::CappedTag<T, kLeaf> d;
   using D = std::remove_const_t<decltype(d)>;
-  using V = hn::Vec<D>;
   const T n3[3] = {normal[0], normal[1], normal[2]};
   const auto n = spread(d, n3);
-  const auto zero = hn::Zero(d), one = hn::Set(d, T(1));
-  const auto edge_on = hn::Set(d, sizeof(T) == 4 ? T(1e-6) : T(1e-12));
+  const auto zero = hn::Zero(d), one = hn::Set(d, T(1)), edge_on = hn::Set(d, kEdgeOn<T>);
   for (size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
-    const Three<V> x{hn::Load(d, points.x[0] + lane), hn::Load(d, points.x[1] + lane), hn::Load(d, points.x[2] + lane)};
+    const auto x = points_at(d, points, lane);
     View<D> source;
-    source.count = polygon.count;
-    for (int k = 0; k < polygon.count; ++k) {
-      const auto corner = spread(d, polygon.corners[k]);
-      source.corners[k] = {corner.x - x.x, corner.y - x.y, corner.z - x.z};
-    }
+    place(d, polygon, x, source);
     auto whole = zero;
     for (int k = 0; k < polygon.count; ++k) {
-      const int next = k + 1 == polygon.count ? 0 : k + 1;
-      const auto &a = source.corners[k], &b = source.corners[next];
+      const auto &a = source.corners[k], &b = source.corners[k + 1 == polygon.count ? 0 : k + 1];
       source.sides[k] = cross(b, a);
       source.facing[k] = dot(n, source.sides[k]);
       whole = whole + edge_term(d, dot(a, b), inverse_root(d, dot(a, a)), inverse_root(d, dot(b, b)), source.sides[k],
@@ -221,13 +258,14 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
         own = zero;
         inside = b.closed ? hn::Not((zero < zero)) : (zero < zero);
       }
-      const auto height = dot(spread(d, b.normal), x) - hn::Set(d, b.offset);
+      const auto height = height_over(d, b, x);
       const auto front = height > edge_on, back = height < hn::Neg(edge_on);
       inside = hn::And(inside, back);
       const auto hides = b.two_sided ? hn::Or(front, back) : front;
       if (b.count < 3 || hn::AllFalse(d, hides)) continue;
-      const auto area = covered(d, source, x, n, b, hn::IfThenElse(front, one, hn::Neg(one)));
-      own = own + hn::IfThenElseZero(hides, area);
+      Pyramid<D> pyramid;
+      if (look_past(d, source, x, b, hn::IfThenElse(front, one, hn::Neg(one)), pyramid))
+        own = own + hn::IfThenElseZero(hides, covered(d, source, n, pyramid));
     }
     own = hn::IfThenElse(inside, whole, own);
     hidden = hidden + own, most = hn::Max(most, own);
@@ -236,6 +274,73 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
     hn::Store(hidden * scale, d, seen.hidden + lane);
     hn::Store(most * scale, d, seen.most + lane);
   }
+}
+
+/// Whether a source side has all of the polygon beyond it.
+template <class D>
+HWY_INLINE bool is_beside(D d, const View<D>& source, const Pyramid<D>& polygon) {
+  for (int e = 0; e < source.count; ++e) {
+    const auto side = cross(source.corners[e + 1 == source.count ? 0 : e + 1], source.corners[e]);
+    auto highest = hn::Zero(d);
+    for (int k = 0; k < polygon.count; ++k) highest = hn::Max(highest, dot(side, polygon.corners[k]));
+    if (hn::AllFalse(d, highest > hn::Zero(d))) return true;
+  }
+  return false;
+}
+
+template <class T>
+HWY_INLINE bool MayHideAny(const PointLanes<T>& points, const SourcePolygon<T>& polygon,
+                           const BlockingPolygon<T>* blocking, size_t count) {
+  const hn::CappedTag<T, kLeaf> d;
+  using D = std::remove_const_t<decltype(d)>;
+  const auto one = hn::Set(d, T(1)), edge_on = hn::Set(d, kEdgeOn<T>);
+  for (size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+    const auto x = points_at(d, points, lane);
+    View<D> source;
+    place(d, polygon, x, source);
+    for (size_t i = 0; i < count; ++i) {
+      const BlockingPolygon<T>& b = blocking[i];
+      const auto height = height_over(d, b, x);
+      const auto front = height > edge_on, back = height < hn::Neg(edge_on);
+      if (b.closed && !hn::AllFalse(d, back)) return true;  // it may be inside
+      const auto hides = b.two_sided ? hn::Or(front, back) : front;
+      if (b.count < 3 || hn::AllFalse(d, hides)) continue;
+      Pyramid<D> pyramid;
+      if (look_past(d, source, x, b, hn::IfThenElse(front, one, hn::Neg(one)), pyramid) &&
+          !is_beside(d, source, pyramid))
+        return true;
+    }
+  }
+  return false;
+}
+
+uint32_t BlockedLanes(const float* receiver, const float* sources, size_t bounds, size_t surface, float tolerance,
+                      uint32_t lanes) {
+  const hn::CappedTag<float, kLeaf> d;
+  const auto zero = hn::Zero(d), never = hn::Set(d, 2.0F);
+  uint32_t blocked = 0;
+  for (size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+    auto open = zero < zero;  // some segment is not stopped
+    for (size_t p = 0; p < 4; ++p)
+      for (size_t q = 0; q < 4; ++q) {
+        auto from = zero, to = hn::Set(d, 1.0F);
+        for (size_t k = 0; k < bounds; ++k) {
+          const auto outside = hn::Set(d, k < surface ? -tolerance : tolerance);
+          const auto a = hn::Set(d, receiver[(4 * k + p) * kLeaf]);
+          const auto b = hn::LoadU(d, sources + (4 * k + q) * kLeaf + lane);
+          from = hn::IfThenElse(hn::And(a > outside, b > outside), never, from);
+          const auto t = a / (a - b);
+          from = hn::IfThenElse(hn::And(a > zero, b <= zero), hn::Max(from, t), from);
+          to = hn::IfThenElse(hn::And(a <= zero, b > zero), hn::Min(to, t), to);
+        }
+        open = hn::Or(open, from + hn::Set(d, 1e-6F) > to);
+        if (hn::AllTrue(d, open)) p = q = 4;
+      }
+    uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Not(open), bits);
+    blocked |= (uint32_t(bits[0]) | uint32_t(bits[1]) << 8) << lane;
+  }
+  return blocked & lanes;
 }
 
 void LanesFloat(const SourceLanes<float>& sources, const ReceiverPoint<float>* points, size_t count, const float* n,
@@ -255,6 +360,15 @@ void LookDouble(const PointLanes<double>& points, const double* n, const SourceP
   LookAt(points, n, source, blocking, count, seen);
 }
 
+bool MayHideFloat(const PointLanes<float>& points, const SourcePolygon<float>& source,
+                  const BlockingPolygon<float>* blocking, size_t count) {
+  return MayHideAny(points, source, blocking, count);
+}
+bool MayHideDouble(const PointLanes<double>& points, const SourcePolygon<double>& source,
+                   const BlockingPolygon<double>* blocking, size_t count) {
+  return MayHideAny(points, source, blocking, count);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace aktina
 HWY_AFTER_NAMESPACE();
@@ -266,6 +380,9 @@ HWY_EXPORT(LanesFloat);
 HWY_EXPORT(LanesDouble);
 HWY_EXPORT(LookFloat);
 HWY_EXPORT(LookDouble);
+HWY_EXPORT(MayHideFloat);
+HWY_EXPORT(MayHideDouble);
+HWY_EXPORT(BlockedLanes);
 }  // namespace
 
 void add_lanes(const SourceLanes<float>& sources, const ReceiverPoint<float>* points, size_t count, const float n[3],
@@ -283,6 +400,18 @@ void look(const PointLanes<float>& points, const float n[3], const SourcePolygon
 void look(const PointLanes<double>& points, const double n[3], const SourcePolygon<double>& source,
           const BlockingPolygon<double>* blocking, size_t count, Seen<double>& seen) {
   HWY_DYNAMIC_DISPATCH(LookDouble)(points, n, source, blocking, count, seen);
+}
+bool may_hide(const PointLanes<float>& points, const SourcePolygon<float>& source,
+              const BlockingPolygon<float>* blocking, size_t count) {
+  return HWY_DYNAMIC_DISPATCH(MayHideFloat)(points, source, blocking, count);
+}
+bool may_hide(const PointLanes<double>& points, const SourcePolygon<double>& source,
+              const BlockingPolygon<double>* blocking, size_t count) {
+  return HWY_DYNAMIC_DISPATCH(MayHideDouble)(points, source, blocking, count);
+}
+uint32_t blocked_lanes(const float* receiver, const float* sources, size_t bounds, size_t surface, float tolerance,
+                       uint32_t lanes) {
+  return HWY_DYNAMIC_DISPATCH(BlockedLanes)(receiver, sources, bounds, surface, tolerance, lanes);
 }
 
 }  // namespace aktina

@@ -1,6 +1,7 @@
 #include "aktina/radiosity/viewfactor/leaf_pair.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aktina {
 namespace {
@@ -57,18 +58,24 @@ bool stops_all(const Blocker& blocker, const Leaf& a, const Leaf& b, double tole
 
 }  // namespace
 
-FragmentHeights::FragmentHeights(const Leaves& leaves, const Leaf& leaf, const Blocker& blocker, double tolerance)
-    : bounds_(blocker.bounds.size()), heights_(4 * leaf.count * blocker.bounds.size()) {
-  for (uint32_t k = 0; k < leaf.count; ++k) {
-    const Contour& corners = leaves.fragments[leaf.first + k].face.vertices;
-    corners_[k] = uint8_t(corners.size());
-    outside_[k] = bounds_ == 32 ? 0xffffffffU : (1U << bounds_) - 1;
-    for (size_t c = 0; c < corners.size(); ++c)
-      for (size_t b = 0; b < bounds_; ++b) {
-        const double h = blocker.bounds[b].height(corners[c]);
-        heights_[(4 * k + c) * bounds_ + b] = h;
-        if (h < -tolerance) outside_[k] &= ~(1U << b);
+void LaneHeights::set(const Leaf& leaf, const Blocker& blocker, double tolerance) {
+  const size_t bounds = blocker.bounds.size();
+  heights_.resize(4 * bounds * kLeaf);
+  outside_.fill(0);
+  for (size_t k = 0; k < bounds; ++k) {
+    const Plane& plane = blocker.bounds[k];
+    double lowest[kLeaf];
+    std::fill(std::begin(lowest), std::end(lowest), INFINITY);
+    for (size_t c = 0; c < 4; ++c) {
+      const auto& [x, y, z] = leaf.corners[c];
+      float* heights = &heights_[(4 * k + c) * kLeaf];
+      for (size_t lane = 0; lane < kLeaf; ++lane) {
+        const double h = (x[lane] - plane.point.x) * plane.normal.x + (y[lane] - plane.point.y) * plane.normal.y +
+                         (z[lane] - plane.point.z) * plane.normal.z;
+        heights[lane] = float(h), lowest[lane] = std::min(lowest[lane], h);
       }
+    }
+    for (size_t lane = 0; lane < kLeaf; ++lane) outside_[lane] |= uint32_t(lowest[lane] >= -tolerance) << k;
   }
 }
 

@@ -4,25 +4,23 @@
 #include <algorithm>
 
 #include "aktina/radiosity/viewfactor/blockers.h"
-#include "aktina/radiosity/viewfactor/exchange.h"
+#include "aktina/radiosity/viewfactor/leaves.h"
 
 namespace aktina {
 
-/// Heights of fragments' corners over the bounds of one blocker.
-class FragmentHeights {
+/// Heights of the corners of a leaf's fragments over the bounds of one blocker.
+class LaneHeights {
  public:
-  FragmentHeights(const Leaves& leaves, const Leaf& leaf, const Blocker& blocker, double tolerance);
+  void set(const Leaf& leaf, const Blocker& blocker, double tolerance);
   /// Bounds that have the whole fragment on their outside, as bits.
-  uint32_t outside(size_t k) const { return outside_[k]; }
-  double height(size_t k, size_t corner, size_t bound) const { return heights_[(4 * k + corner) * bounds_ + bound]; }
-  size_t corners(size_t k) const { return corners_[k]; }
-  size_t bounds() const { return bounds_; }
+  uint32_t outside(size_t lane) const { return outside_[lane]; }
+  /// [bound][4 corners][16 fragments]; their sign is that of the numbers in double precision.
+  const float* data() const { return heights_.data(); }
+  float height(size_t lane, size_t corner, size_t bound) const { return heights_[(4 * bound + corner) * kLeaf + lane]; }
 
  private:
-  size_t bounds_;
   std::array<uint32_t, kLeaf> outside_{};
-  std::array<uint8_t, kLeaf> corners_{};
-  std::vector<double> heights_;
+  std::vector<float> heights_;
 };
 
 /// Whether a blocker stops all light between two convex sets, each given by its corners' heights over the bounds: then

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "aktina/base/error.h"
+#include "aktina/radiosity/viewfactor/receiver_points.h"
 #include "aktina/radiosity/viewfactor/welder.h"
 
 namespace aktina {
@@ -49,6 +50,12 @@ std::vector<std::vector<uint32_t>> planes_of(const std::vector<Fragment>& fragme
 class LeafMaker {
  public:
   explicit LeafMaker(const Faces& faces) : fragments_(fragments_of(faces)) {
+    std::vector<SurfaceSample> points;
+    for (Fragment& f : fragments_) {
+      points.clear();
+      add_gauss_points(f.face.vertices, 2, points);
+      std::copy_n(points.begin(), 4, f.gauss_2x2.begin());
+    }
     double size = 0;
     for (const Fragment& f : fragments_)
       size = std::max(size, length(f.face.centre - fragments_[0].face.centre) + f.face.radius);
@@ -88,7 +95,16 @@ class LeafMaker {
       leaf.largest = std::max(leaf.largest, result_.fragments.back().face.radius);
     }
     surround(leaf);
+    line_up(leaf);
     result_.leaves.push_back(leaf);
+  }
+
+  void line_up(Leaf& leaf) const {
+    for (uint32_t lane = 0; lane < kLeaf; ++lane) {
+      const Contour& v = result_.fragments[leaf.first + std::min(lane, leaf.count - 1)].face.vertices;
+      for (size_t k = 0; k < 4; ++k)
+        for (int axis = 0; axis < 3; ++axis) leaf.corners[k][axis][lane] = v[std::min(k, v.size() - 1)][axis];
+    }
   }
 
   void surround(Leaf& leaf) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aktina/radiosity/formfactor/faces.h"
+#include "aktina/radiosity/formfactor/quadrature.h"
 
 namespace aktina {
 
@@ -14,7 +15,8 @@ inline constexpr size_t kLeaf = 16;
 /// A convex polygon of a surface.
 struct Fragment {
   Face face;
-  uint32_t surface;  // in Faces
+  uint32_t surface;                          // in Faces
+  std::array<SurfaceSample, 4> gauss_2x2{};  // for pairs that are well apart
 };
 
 struct Leaf {
@@ -24,6 +26,7 @@ struct Leaf {
   double largest;               // radius of a fragment, m
   Point3d centre;               // of a sphere around the hull
   double radius;
+  double corners[4][3][kLeaf];  // of the fragments; triangles repeat their last one, leaves that are not full, too
 };
 
 /// Fragments in the order of the leaves.

@@ -9,6 +9,7 @@
 #include "aktina/base/progress.h"
 #include "aktina/base/warnings.h"
 #include "aktina/radiosity/formfactor/formfactor.h"
+#include "aktina/radiosity/viewfactor/large_array.h"
 
 namespace aktina {
 
@@ -31,9 +32,9 @@ struct ViewFactors {
   std::vector<std::string> names;
   std::vector<double> areas;  // m^2
   std::vector<uint64_t> starts{0};
-  std::vector<uint32_t> columns;
-  std::vector<double> factors;
-  std::vector<float> errors;  // estimate of each factor's absolute error
+  LargeArray<uint32_t> columns;
+  LargeArray<double> factors;
+  LargeArray<float> errors;  // estimate of each factor's absolute error
 
   // Of what the integration found before a factor was held between 0 and its unobstructed value; see Certificate.
   double largest_excess = 0;  // above the unobstructed factor
