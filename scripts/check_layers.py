@@ -23,6 +23,7 @@ libraries = {
     r"assimp/": [r"src/aktina/import/assimp/\w+\.cpp"],
     r"nlohmann/": [r"src/aktina/(import|export|render)/", r"app/", r"tests/", r"python/"],
     r"CLI/": [r"app/"],
+    r"hdf5": [r"src/aktina/export/hdf5_library\.h"],
     r"pybind11/": [r"python/"],
 }
 

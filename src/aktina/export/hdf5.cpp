@@ -1,9 +1,8 @@
 // HDF5: the datasets have the names of the .npz file, metadata are attributes of the root group.
-#include <hdf5.h>
-
 #include <utility>
 
 #include "aktina/base/error.h"
+#include "aktina/export/hdf5_library.h"
 #include "aktina/export/view_factor_files.h"
 
 namespace aktina {
