@@ -109,7 +109,7 @@ FaceParts cut(const FlatFace& face, std::vector<Contact> lines, double tolerance
   for (const Contact& line : lines) cells.cut(line.a, line.b);
   FaceParts parts{face.instance, face.face, {}};
   if (cells.cells().size() > 1)
-    for (const Polygon& cell : cells.cells())
+    for (const FacePolygon& cell : cells.cells())
       cut_into_quads(without_straight_corners(cell, kStraight * tolerance), parts.parts);
   return parts;
 }

@@ -22,8 +22,8 @@ struct Contact {
 std::vector<Contact> find_contacts(const std::vector<FlatFace>& faces, double touch, double shortest, bool* too_many);
 
 /// Cuts faces along their contacts. Lines shorter than a sixteenth of a patch are left out, and the shortest where
-/// there are more of them than four times the patches that the surfaces' area makes: counted in `warnings`. Time: n log n in
-/// the faces and contacts. @param patch_size  m
+/// there are more of them than four times the patches that the surfaces' area makes: counted in `warnings`. Time: n log
+/// n in the faces and contacts. @param patch_size  m
 void cut_at_contacts(SceneFaces& faces, double patch_size, Warnings& warnings);
 
 }  // namespace aktina

@@ -15,7 +15,7 @@ double distance_to_segment(Point3d p, Point3d a, Point3d b) {
 
 }  // namespace
 
-bool clip_segment(Point3d a, Point3d b, const Polygon& polygon, Vec3d normal, double tolerance, double& from,
+bool clip_segment(Point3d a, Point3d b, const FacePolygon& polygon, Vec3d normal, double tolerance, double& from,
                   double& to) {
   from = 0, to = 1;
   for (size_t k = 0; k < polygon.size(); ++k) {
@@ -30,7 +30,7 @@ bool clip_segment(Point3d a, Point3d b, const Polygon& polygon, Vec3d normal, do
   return (to - from) * length(b - a) > tolerance;
 }
 
-Polygon without_straight_corners(Polygon p, double tolerance) {
+FacePolygon without_straight_corners(FacePolygon p, double tolerance) {
   for (size_t k = 0; k < p.size() && p.size() >= 3;) {
     const size_t n = p.size();
     if (distance_to_segment(p[k], p[(k + n - 1) % n], p[(k + 1) % n]) <= tolerance)
@@ -41,7 +41,7 @@ Polygon without_straight_corners(Polygon p, double tolerance) {
   return p;
 }
 
-void cut_into_quads(const Polygon& polygon, std::vector<Polygon>& parts) {
+void cut_into_quads(const FacePolygon& polygon, std::vector<FacePolygon>& parts) {
   const size_t n = polygon.size();
   if (n <= 4) {
     if (n >= 3) parts.push_back(polygon);
@@ -54,13 +54,13 @@ void cut_into_quads(const Polygon& polygon, std::vector<Polygon>& parts) {
       if (const double squared = squared_length(polygon[i] - polygon[j]); squared < least)
         least = squared, first = i, last = j;
   const auto at = [&](size_t k) { return polygon.begin() + std::ptrdiff_t(k); };
-  cut_into_quads(Polygon(at(first), at(last) + 1), parts);
-  Polygon rest(at(last), polygon.end());
+  cut_into_quads(FacePolygon(at(first), at(last) + 1), parts);
+  FacePolygon rest(at(last), polygon.end());
   rest.insert(rest.end(), polygon.begin(), at(first) + 1);
   cut_into_quads(rest, parts);
 }
 
-FaceCells::FaceCells(Polygon outline, Vec3d unit_normal, double tolerance)
+FaceCells::FaceCells(FacePolygon outline, Vec3d unit_normal, double tolerance)
     : normal_(unit_normal), tolerance_(tolerance), nodes_(1) {
   nodes_[0].cell = 0;
   cells_.push_back(std::move(outline));
@@ -100,11 +100,11 @@ void FaceCells::cut(Point3d a, Point3d b) {
 
 void FaceCells::split(size_t at, const Line& line) {
   const auto cell = size_t(nodes_[at].cell);
-  const Polygon whole = cells_[cell];
+  const FacePolygon whole = cells_[cell];
   double low = 0, high = 0;
   for (const Point3d p : whole) low = std::min(low, line.distance(p)), high = std::max(high, line.distance(p));
   if (low >= -tolerance_ || high <= tolerance_) return;
-  Polygon front, back;
+  FacePolygon front, back;
   for (size_t k = 0; k < whole.size(); ++k) {
     const Point3d p = whole[k], q = whole[(k + 1) % whole.size()];
     const double dp = line.distance(p), dq = line.distance(q);

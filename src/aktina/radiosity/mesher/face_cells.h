@@ -7,28 +7,28 @@
 
 namespace aktina {
 
-using Polygon = std::vector<Point3d>;  // m; planar, convex
+using FacePolygon = std::vector<Point3d>;  // m; planar, convex
 
 /// The part of the segment from a to b within a convex polygon of that normal, as parameters of the segment.
 /// @return false where nothing longer than `tolerance`, m, is left
-bool clip_segment(Point3d a, Point3d b, const Polygon& polygon, Vec3d normal, double tolerance, double& from,
+bool clip_segment(Point3d a, Point3d b, const FacePolygon& polygon, Vec3d normal, double tolerance, double& from,
                   double& to);
 
 /// Corners that lie within `tolerance` of the line between their neighbours left out.
-Polygon without_straight_corners(Polygon polygon, double tolerance);
+FacePolygon without_straight_corners(FacePolygon polygon, double tolerance);
 
 /// Cut along short diagonals until no part has more than four corners.
-void cut_into_quads(const Polygon& polygon, std::vector<Polygon>& parts);
+void cut_into_quads(const FacePolygon& polygon, std::vector<FacePolygon>& parts);
 
 class FaceCells {
  public:
   /// @param tolerance  m: what is nearer to a line lies on it
-  FaceCells(Polygon outline, Vec3d unit_normal, double tolerance);
+  FaceCells(FacePolygon outline, Vec3d unit_normal, double tolerance);
 
   /// Cuts every cell that the segment goes through, from edge to edge. In random order of disjoint segments their
   /// number grows as n log n.
   void cut(Point3d a, Point3d b);
-  const std::vector<Polygon>& cells() const { return cells_; }
+  const std::vector<FacePolygon>& cells() const { return cells_; }
 
  private:
   struct Line {
@@ -46,7 +46,7 @@ class FaceCells {
   Vec3d normal_;
   double tolerance_;
   std::vector<Node> nodes_;
-  std::vector<Polygon> cells_;
+  std::vector<FacePolygon> cells_;
 };
 
 }  // namespace aktina

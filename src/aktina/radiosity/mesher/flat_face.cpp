@@ -59,7 +59,7 @@ class PartVertices {
   std::map<Key, uint32_t> ids_;
 };
 
-void add_part(const Polygon& part, const SourceFace& whole, PartVertices& vertices, std::vector<SourceFace>& list) {
+void add_part(const FacePolygon& part, const SourceFace& whole, PartVertices& vertices, std::vector<SourceFace>& list) {
   std::vector<uint32_t> ids;
   for (const Point3d p : part)
     if (const uint32_t id = vertices.at(p); ids.empty() || (id != ids.back() && id != ids.front())) ids.push_back(id);
@@ -114,7 +114,7 @@ void replace_faces(SceneFaces& faces, const std::vector<FaceParts>& cut) {
         continue;
       }
       PartVertices vertices(of, of.list[k], places);
-      for (const Polygon& part : cut[next++].parts) add_part(part, of.list[k], vertices, list);
+      for (const FacePolygon& part : cut[next++].parts) add_part(part, of.list[k], vertices, list);
     }
     of.list = std::move(list);
   }

@@ -8,7 +8,7 @@ namespace aktina {
 
 struct FlatFace {
   uint32_t instance, face;  // of SceneFaces: index into faces, and into their list
-  Polygon corners;          // m, world
+  FacePolygon corners;      // m, world
   Vec3d normal;             // unit
   double offset;            // m
   Bounds box;
@@ -25,7 +25,7 @@ Bounds bounds(const SceneFaces& faces);
 /// Faces to be replaced by convex parts of them.
 struct FaceParts {
   uint32_t instance, face;  // as in FlatFace
-  std::vector<Polygon> parts;
+  std::vector<FacePolygon> parts;
 };
 /// Puts parts in the place of faces. Corners that are nearer to each other than vertices may be become one; parts that
 /// vanish are left out. @param cut  sorted by instance and face
