@@ -58,8 +58,8 @@ std::vector<Image> radiance_pages(const Scene& scene, const Lightmap& map, float
     reflected[i] = materials.reflectances[i] * (share * float(kInvPi));
     emitted[i] = materials.emissions[i].v * share;
   }
-  std::vector<Image> pages = texel_pages(layout, map.texels, reflected, map.padding);
-  const std::vector<Image> own = texel_pages(layout, map.texels, emitted, map.padding);
+  std::vector<Image> pages = texel_pages(layout, map.texels, reflected);
+  const std::vector<Image> own = texel_pages(layout, map.texels, emitted);
   for (size_t p = 0; p < pages.size(); ++p)
     for (size_t i = 0; i < pages[p].pixels.size(); ++i)
       pages[p].pixels[i] = pages[p].pixels[i] * map.irradiances[p].pixels[i] + own[p].pixels[i];

@@ -65,17 +65,27 @@ TEST(Coverage, AChartSmallerThanATexelHasOne) {
   EXPECT_GE(covered_texels(one_triangle({Vec2(4.5f, 4.5f), Vec2(4.5f, 4.5f), Vec2(4.5f, 4.5f)})).size(), 1u);
 }
 
-TEST(Spread, RoundsWidenByOneTexelEach) {
-  Image image(9, 9, 3);
-  std::vector<uint8_t> known(81, 0);
-  image.set_rgb(4, 4, Rgb(5, 6, 7)), known[4 * 9 + 4] = 1;
-  spread(image, known, 2);
+TEST(Spread, ReachesAllFromTheNearest) {
+  Image image(20, 9, 3);
+  std::vector<uint8_t> known(20 * 9, 0);
   for (int y = 0; y < 9; ++y)
-    for (int x = 0; x < 9; ++x) {
-      const bool near = std::max(std::abs(x - 4), std::abs(y - 4)) <= 2;
-      EXPECT_EQ(bool(known[size_t(y * 9 + x)]), near);
-      EXPECT_EQ(image.rgb(x, y), near ? Rgb(5, 6, 7) : Rgb(0));
-    }
+    for (const int x : {2, 17}) image.set_rgb(x, y, Rgb(float(x))), known[size_t(y) * 20 + size_t(x)] = 1;
+  spread(image, known);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 20; ++x) EXPECT_EQ(image.rgb(x, y), Rgb(x < 10 ? 2.0f : 17.0f)) << x;
+}
+
+TEST(Spread, UselessValuesAreReplacedFromTheirChartOnly) {
+  LightmapLayout layout;
+  layout.pages = {{8, 1}};
+  layout.charts.resize(3);
+  std::vector<LightmapTexel> texels;
+  for (uint32_t x = 0; x < 8; ++x) texels.push_back({x < 4 ? 0u : x < 6 ? 1u : 2u, 0, x, 0, 0, 0});
+  std::vector<Rgb> values;
+  for (int x = 0; x < 8; ++x) values.emplace_back(float(x));
+  replace_useless(layout, texels, {0, 0, 1, 1, 1, 1, 0, 0}, values);
+  const float expected[] = {0, 1, 1, 1, 4, 5, 6, 7};  // the second chart has nothing better
+  for (size_t x = 0; x < 8; ++x) EXPECT_EQ(values[x], Rgb(expected[x])) << x;
 }
 
 }  // namespace

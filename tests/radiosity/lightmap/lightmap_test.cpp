@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
+#include <numeric>
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
@@ -207,6 +207,34 @@ TEST(Lightmap, NoiseIsSmoothedWhereThereIsSome) {
   }
   const auto n = double(good.texels.size());
   EXPECT_LT(std::sqrt(square / n), 0.03 * level / n);
+}
+
+/// The floor goes on below the box; what the box hides must not darken what lies next to it.
+TEST(Lightmap, ContactsHaveNoDarkLine) {
+  Scene scene = furnished();
+  LightmapOptions options;
+  options.texel_size = 0.037;  // the box stands between texels
+  const Lightmap map = make_lightmap(scene, solved(scene, 0.1), options);
+  std::vector<double> inside, beside, deep;
+  for (const LightmapTexel& t : map.texels) {
+    const PlacedChart& chart = map.layout.charts[t.chart];
+    const LightmapSurface& surface = map.layout.surfaces[chart.surface];
+    if (surface.instance != 0) continue;
+    Point3 x(0);
+    const float w[3] = {1 - t.u - t.v, t.u, t.v};
+    for (size_t k = 0; k < 3; ++k) x += w[k] * surface.corners[chart.triangles[t.triangle]][k];
+    if (x.z < 1.2f || x.z > 1.6f) continue;
+    const double lux = double(map.irradiances[0].rgb(int(t.x), int(t.y)).g);
+    if (x.x > 1.3f && x.x < 1.5f) deep.push_back(lux);
+    if (x.x > 1.0f && x.x < 1.05f) inside.push_back(lux);
+    if (x.x > 0.93f && x.x < 0.99f) beside.push_back(lux);
+  }
+  ASSERT_FALSE(inside.empty() || beside.empty());
+  const auto mean = [](const std::vector<double>& v) {
+    return std::accumulate(v.begin(), v.end(), 0.0) / double(v.size());
+  };
+  EXPECT_NEAR(mean(inside) / mean(beside), 1, 0.15);
+  EXPECT_NEAR(mean(deep) / mean(beside), 1, 0.3) << "filled to the middle, though nobody sees it";
 }
 
 TEST(Lightmap, AnotherScenesSolutionIsRefused) {

@@ -115,27 +115,4 @@ std::vector<LightmapTexel> covered_texels(const LightmapLayout& layout) {
   return texels;
 }
 
-void spread(Image& image, std::vector<uint8_t>& known, int rounds) {
-  std::vector<std::pair<size_t, Rgb>> fresh;
-  for (int round = 0; round < rounds; ++round) {
-    fresh.clear();
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) {
-        const size_t at = size_t(y) * size_t(image.width) + size_t(x);
-        if (known[at]) continue;
-        Rgb sum;
-        int count = 0;
-        for (int b = std::max(0, y - 1); b <= std::min(image.height - 1, y + 1); ++b)
-          for (int a = std::max(0, x - 1); a <= std::min(image.width - 1, x + 1); ++a)
-            if (known[size_t(b) * size_t(image.width) + size_t(a)]) sum += image.rgb(a, b), ++count;
-        if (count > 0) fresh.emplace_back(at, sum / float(count));
-      }
-    if (fresh.empty()) return;
-    for (const auto& [at, value] : fresh) {
-      image.set_rgb(int(at % size_t(image.width)), int(at / size_t(image.width)), value);
-      known[at] = 1;
-    }
-  }
-}
-
 }  // namespace aktina

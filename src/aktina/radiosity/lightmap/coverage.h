@@ -1,6 +1,7 @@
 // Which texels a lightmap's charts touch, and where on the surface each of them lies.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "aktina/radiosity/lightmap/layout.h"
@@ -20,8 +21,15 @@ std::vector<LightmapTexel> covered_texels(const LightmapLayout& layout);
 /// Barycentric coordinates (u, v) of the point of a triangle next to p.
 Vec2 nearest_on_triangle(const FlatTriangle& t, Vec2 p);
 
-/// Gives texels that nobody touches the mean of their neighbours, in rounds: each widens the charts by one texel.
-/// @param known  by texel: has a value; kept up to date
-void spread(Image& image, std::vector<uint8_t>& known, int rounds);
+/// Gives texels without a value the mean of their neighbours that have one, in rounds from the charts outwards, until
+/// all have one.
+/// @param known  by texel: has a value
+void spread(Image& image, std::vector<uint8_t> known);
+
+/// The same within charts, for texels whose own value is of no use: they take it from others of their chart. A chart
+/// without any useful value keeps those that it has.
+/// @param useless  by texel
+void replace_useless(const LightmapLayout& layout, std::span<const LightmapTexel> texels,
+                     const std::vector<uint8_t>& useless, std::vector<Rgb>& values);
 
 }  // namespace aktina

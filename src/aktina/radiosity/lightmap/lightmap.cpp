@@ -15,12 +15,12 @@ Lightmap make_lightmap(const Scene& scene, const Solution& solution, const Light
   check_places(*tessellated, solution);
   if (progress) progress->begin("charts", "charts", 0);
   Lightmap map;
-  map.padding = options.padding;
   map.layout = make_layout(lightmap_surfaces(*tessellated, solution), options);
   map.texels = covered_texels(map.layout);
   TexelLight light = light_on_texels(*tessellated, solution, map.layout, map.texels, options, progress);
+  if (!light.buried.empty()) replace_useless(map.layout, map.texels, light.buried, light.irradiances);
   denoise(map.layout, map.texels, light);
-  map.irradiances = texel_pages(map.layout, map.texels, light.irradiances, options.padding);
+  map.irradiances = texel_pages(map.layout, map.texels, light.irradiances);
   std::vector<std::vector<uint8_t>> touched;
   for (const LightmapLayout::Page& page : map.layout.pages)
     touched.emplace_back(size_t(page.width) * size_t(page.height));
@@ -33,7 +33,7 @@ Lightmap make_lightmap(const Scene& scene, const Solution& solution, const Light
 }
 
 std::vector<Image> texel_pages(const LightmapLayout& layout, std::span<const LightmapTexel> texels,
-                               std::span<const Rgb> values, int padding) {
+                               std::span<const Rgb> values) {
   std::vector<Image> pages;
   std::vector<std::vector<uint8_t>> known;
   for (const LightmapLayout::Page& page : layout.pages) {
@@ -45,7 +45,7 @@ std::vector<Image> texel_pages(const LightmapLayout& layout, std::span<const Lig
     pages[page].set_rgb(int(texels[i].x), int(texels[i].y), values[i]);
     known[page][texels[i].y * size_t(pages[page].width) + texels[i].x] = 1;
   }
-  for (size_t p = 0; p < pages.size(); ++p) spread(pages[p], known[p], std::max(1, padding));
+  for (size_t p = 0; p < pages.size(); ++p) spread(pages[p], std::move(known[p]));
   return pages;
 }
 

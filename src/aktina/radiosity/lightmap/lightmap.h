@@ -16,10 +16,9 @@ namespace aktina {
 struct Lightmap {
   LightmapLayout layout;
   std::vector<LightmapTexel> texels;  // page by page, row by row
-  /// Irradiance H, lx, linear, by page. Texels about a chart have the values that lie next to them, the rest is 0.
+  /// Irradiance H, lx, linear, by page. What no chart touches has the values that lie next to it.
   std::vector<Image> irradiances;
   SeamReport seams;
-  int padding = 0;  // texels about charts that have values
 };
 
 /// Light by texel: as the solution has it at its vertices, in between linear; with `direct_samples`, lamps and emitters
@@ -29,9 +28,9 @@ struct Lightmap {
 Lightmap make_lightmap(const Scene& scene, const Solution& solution, const LightmapOptions& options = {},
                        Progress* progress = nullptr);
 
-/// Values of texels as pictures, spread into the padding.
+/// Values of texels as pictures; what no chart touches has the values that lie next to it.
 std::vector<Image> texel_pages(const LightmapLayout& layout, std::span<const LightmapTexel> texels,
-                               std::span<const Rgb> values, int padding);
+                               std::span<const Rgb> values);
 
 /// The scene as the lightmap has it: for each chart's surface and page one instance, vertices doubled where charts
 /// part, second texture coordinates are places on the page. Two-sided surfaces become two layers. Other attributes,

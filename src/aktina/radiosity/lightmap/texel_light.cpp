@@ -13,6 +13,7 @@
 
 #include "aktina/base/parallel.h"
 #include "aktina/radiosity/display/patch_scene.h"
+#include "aktina/radiosity/lightmap/page_index.h"
 #include "aktina/radiosity/lightmap/patch_locator.h"
 #include "aktina/trace/offset.h"
 #include "aktina/trace/ray_scene.h"
@@ -55,6 +56,8 @@ class Lighting {
 
   void run(size_t begin, size_t end, TexelLight& out) const {
     from_solution(begin, end, out);
+    if (rays_)
+      for (size_t i = begin; i < end; ++i) out.buried[i] = buried(i);
     if (rays_) add(begin, end, out, options_.direct_samples, [&](size_t i, auto& s) { sample_direct(i, s); });
     if (patch_rays_) add(begin, end, out, options_.gather_samples, [&](size_t i, auto& s) { gather(i, s); });
   }
@@ -98,16 +101,39 @@ class Lighting {
     return {hash_combine(options_.seed, hash32(uint32_t(texel))), uint32_t(index)};
   }
   /// Somewhere in the texel, on its triangle, a little off the edges.
-  TexelPoint place(size_t texel, const SampleSequence& sequence) const {
+  TexelPoint place(size_t texel, const SampleSequence& sequence) const { return place(texel, sequence.pair(kWithin)); }
+  TexelPoint place(size_t texel, Vec2 within) const {
     const LightmapTexel& t = texels_[texel];
     const PlacedChart& chart = layout_.charts[t.chart];
     const FlatTriangle& triangle = chart.texels[t.triangle];
-    const Vec2 p = Vec2(float(t.x), float(t.y)) + sequence.pair(kWithin);
+    const Vec2 p = Vec2(float(t.x), float(t.y)) + within;
     Vec2 uv = nearest_on_triangle(triangle, p);
     const Vec2 at = triangle[0] + uv.x * (triangle[1] - triangle[0]) + uv.y * (triangle[2] - triangle[0]);
     const float far = length((triangle[0] + triangle[1] + triangle[2]) / 3.0f - at);
     uv += (Vec2(1.0f / 3) - uv) * std::min(1.0f, kPullIn / std::max(far, 1e-6f));
     return texel_point(layout_, t, uv);
+  }
+
+  /// Half of the texel or more lies within a body.
+  bool buried(size_t texel) const {
+    constexpr Vec2 kCorners[] = {{0.05f, 0.05f}, {0.95f, 0.05f}, {0.05f, 0.95f}, {0.95f, 0.95f}};
+    int within = 0;
+    for (uint32_t k = 0; k < 4; ++k) within += sees_backs(place(texel, kCorners[k]), sequence(texel, int(k)));
+    return within >= 2;
+  }
+  /// All that is seen from there are backs of surfaces, but for one ray: faces of two bodies may stand in one place.
+  bool sees_backs(const TexelPoint& p, SampleSequence sequence) const {
+    constexpr uint32_t kRays = 5;
+    const Point3 from = offset_point(p.position, p.facing);
+    const Frame frame(p.facing);
+    int fronts = 0;
+    sequence.seed = hash_combine(sequence.seed, sequence.index);
+    for (sequence.index = 0; sequence.index < kRays && fronts < 2; ++sequence.index) {
+      const Vec3 direction = frame.to_world(sample_cosine_hemisphere(sequence.pair(kDirection)));
+      const Hit hit = rays_->accelerator->intersect(Ray{from, direction});
+      fronts += !hit || rays_->surfaces.material(hit.instance).double_sided || dot(hit.normal, direction) <= 0;
+    }
+    return fronts < 2;
   }
 
   void sample_direct(size_t texel, std::vector<Rgb>& values) const {
@@ -177,6 +203,20 @@ class Lighting {
   std::optional<RayScene> patch_rays_;
 };
 
+/// What most texels about it say: single ones err where rays slip through.
+void agree_with_most(const LightmapLayout& layout, std::span<const LightmapTexel> texels, std::vector<uint8_t>& flags) {
+  if (flags.empty()) return;
+  const std::vector<uint8_t> before = flags;
+  for (int page = 0; page < int(layout.pages.size()); ++page) {
+    const PageIndex index(layout, texels, page);
+    for (const uint32_t i : index.all()) {
+      int set = 0, all = 0;
+      index.around(i, 1, [&](uint32_t k, float) { set += before[k], ++all; });
+      flags[i] = 2 * set > all;
+    }
+  }
+}
+
 }  // namespace
 
 TexelPoint texel_point(const LightmapLayout& layout, const LightmapTexel& texel, Vec2 uv) {
@@ -194,6 +234,7 @@ TexelLight light_on_texels(const Scene& scene, const Solution& solution, const L
                            std::span<const LightmapTexel> texels, const LightmapOptions& options, Progress* progress) {
   TexelLight out;
   out.irradiances.resize(texels.size());
+  if (options.direct_samples > 0) out.buried.resize(texels.size());
   if (options.direct_samples > 0 || options.gather_samples > 0) out.variances.resize(texels.size());
   if (progress) progress->begin("lightmap", "texels", texels.size());
   const Lighting lighting(scene, solution, layout, texels, options);
@@ -203,6 +244,7 @@ TexelLight light_on_texels(const Scene& scene, const Solution& solution, const L
     if (progress) progress->advance(end - begin);
   });
   if (progress) progress->throw_if_cancelled();
+  agree_with_most(layout, texels, out.buried);
   return out;
 }
 

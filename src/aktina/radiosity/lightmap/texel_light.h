@@ -13,6 +13,8 @@ namespace aktina {
 struct TexelLight {
   std::vector<Rgb> irradiances;  // by texel, lx
   std::vector<float> variances;  // by texel, of the irradiance's luminance, lx^2; empty: nothing was sampled
+  std::vector<uint8_t> buried;   // by texel: it lies within a body, so that its light is of no use; empty: not known
+  bool useless(size_t texel) const { return !buried.empty() && buried[texel]; }
 };
 
 /// @param scene  without analytic primitives. The same values for any number of threads. @throws Error cancelled
