@@ -3,30 +3,53 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "aktina/base/error.h"
 
 namespace aktina {
 namespace {
 
-/// Whether surfaces reach to both sides of a face's plane.
-bool parts(const Face& face, const std::vector<Face>& surfaces) {
-  bool front = false, back = false;
-  const double margin = rounding(face);
-  for (const Face& surface : surfaces) {
-    const double height = face.plane.height(surface.centre), reach = surface.radius + margin;
-    if (height > reach) front = true;
-    if (height < -reach) back = true;
-    if (std::abs(height) <= reach)
-      for (const Point3d& v : surface.vertices) {
-        front = front || face.plane.height(v) > margin;
-        back = back || face.plane.height(v) < -margin;
-      }
-    if (front && back) return true;
+/// Whether surfaces reach to both sides of a face's plane. Faces of one plane ask once: a floor may have a million.
+class Parting {
+ public:
+  explicit Parting(const std::vector<Face>& surfaces) : surfaces_(surfaces) {
+    for (const Face& face : surfaces) size_ = std::max(size_, length(face.centre - surfaces[0].centre) + face.radius);
   }
-  return false;
-}
+  bool parts(const Face& face) {
+    const Vec3d n = face.plane.normal;
+    const auto cell = [](double x) { return int64_t(std::llround(x * 1e12)); };
+    const double offset = dot(n, face.plane.point - surfaces_[0].centre) / size_;
+    const auto [at, fresh] = known_.try_emplace({cell(n.x), cell(n.y), cell(n.z), cell(offset)}, false);
+    if (fresh) at->second = find(face);
+    return at->second;
+  }
+
+ private:
+  bool find(const Face& face) const {
+    bool front = false, back = false;
+    const double margin = rounding(face);
+    for (const Face& surface : surfaces_) {
+      const double height = face.plane.height(surface.centre), reach = surface.radius + margin;
+      if (height > reach) front = true;
+      if (height < -reach) back = true;
+      if (std::abs(height) <= reach)
+        for (const Point3d& v : surface.vertices) {
+          front = front || face.plane.height(v) > margin;
+          back = back || face.plane.height(v) < -margin;
+        }
+      if (front && back) return true;
+    }
+    return false;
+  }
+
+  const std::vector<Face>& surfaces_;
+  double size_ = 0;
+  std::map<std::array<int64_t, 4>, bool> known_;
+};
 
 }  // namespace
 
@@ -36,8 +59,9 @@ Faces::Faces(const FormFactorScene& scene) {
     surfaces_.push_back(make_face(polygon, fmt::format("surface {}", surfaces_.size())));
   for (const Polygon& polygon : scene.occluders)
     occluders_.push_back(make_face(polygon, fmt::format("occluder {}", occluders_.size())));
+  Parting parting(surfaces_);
   for (const Face& face : surfaces_)
-    if (parts(face, surfaces_)) blocking_.push_back(&face);
+    if (parting.parts(face)) blocking_.push_back(&face);
   for (const Face& face : occluders_) blocking_.push_back(&face);
 }
 

@@ -1,6 +1,7 @@
 #include "aktina/radiosity/viewfactor/blockers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -61,7 +62,15 @@ class BlockerFinder {
   }
 
   /// Whether surfaces reach to both sides: nothing else can hide them from each other.
-  bool parts_the_scene(const Plane& plane) const {
+  bool parts_the_scene(const Plane& plane) {
+    const auto cell = [](double x) { return int64_t(std::llround(x * 1e12)); };
+    const double size = tolerance_ * 1e9, offset = dot(plane.normal, plane.point - faces_[0].centre) / size;
+    const auto [at, fresh] =
+        parting_.try_emplace({cell(plane.normal.x), cell(plane.normal.y), cell(plane.normal.z), cell(offset)}, false);
+    if (fresh) at->second = is_between(plane);
+    return at->second;
+  }
+  bool is_between(const Plane& plane) const {
     bool front = false, back = false;
     for (const Face& face : faces_.surfaces())
       for (const Point3d& v : face.vertices) {
@@ -74,7 +83,7 @@ class BlockerFinder {
 
   /// Polygons whose fronts all look away from each other and that close a body, or do but for an opening that lies in
   /// the outermost plane of the scene, as a box on the ground without a bottom.
-  std::optional<Blocker> convex_body(const std::vector<size_t>& part) const {
+  std::optional<Blocker> convex_body(const std::vector<size_t>& part) {
     if (part.size() < 3 || part.size() >= Blocker::kMostBounds) return std::nullopt;
     for (const size_t i : part)
       for (const size_t k : part)
@@ -177,6 +186,7 @@ class BlockerFinder {
   std::vector<const Face*> all_;
   std::vector<ConvexPolygon> polygons_;
   std::vector<std::vector<Edge>> edges_;
+  std::map<std::array<int64_t, 4>, bool> parting_;  // planes that have been asked for
   std::vector<Blocker> result_;
 };
 

@@ -13,13 +13,6 @@ constexpr double kSixteenPoints = 0.05;  // of a share, by which they may be wro
 constexpr int kMostHalvings = 8;
 constexpr size_t kMostCells = 6000;
 
-/// Integrals over a cell: unobstructed; what is certainly seen; what may be seen.
-struct Shares {
-  double whole = 0, low = 0, high = 0;
-  double seen() const { return 0.5 * (low + high); }
-  void operator+=(const Shares& other) { whole += other.whole, low += other.low, high += other.high; }
-};
-
 template <class T>
 class ClippedShare {
  public:
@@ -59,8 +52,7 @@ class ClippedShare {
  private:
   bool anything_hides() const {
     for (size_t k = 0; k < receiver_.size(); ++k)
-      if (may_hide(receiver_.coarse(k).lanes, polygon_, between_.blocking.data(), between_.blocking.size()))
-        return true;
+      if (may_hide(receiver_.coarse(k), polygon_, between_.blocking.data(), between_.blocking.size())) return true;
     return false;
   }
 
@@ -87,16 +79,20 @@ class ClippedShare {
     }
   }
 
-  Shares look_from(const Cell& cell, const CellPoints<T>& points) const {
+  Shares look_from(const Cell& cell, const PointLanes<T>& points) const {
     Seen<T> seen;
-    look(points.lanes, normal_, polygon_, between_.blocking.data(), between_.blocking.size(), seen);
+    look(points, normal_, polygon_, between_.blocking.data(), between_.blocking.size(), seen);
+    if (!exact_ || !(seen.all.high - seen.all.low > 1e-6 * seen.all.whole)) return seen.all;
     Shares shares;
     for (size_t k = 0; k < kLeaf; ++k) {
-      const double whole = double(seen.whole[k]), hidden = double(seen.hidden[k]), most = double(seen.most[k]);
-      if (!(whole > 0)) continue;
-      double low = std::max(0.0, whole - hidden), high = std::max(0.0, whole - most);
-      if (exact_ && high - low > 1e-6 * whole) low = high = visible_from(gauss_points(cell)[k].x);
-      shares += {points.areas[k] * whole, points.areas[k] * low, points.areas[k] * high};
+      const double whole = double(seen.whole[k]);
+      double low = double(seen.low[k]), high = double(seen.high[k]);
+      if (high - low > 1e-6 * whole) {
+        const SurfaceSample sample = gauss_points(cell)[k];
+        const double unit = receiver_.unit();
+        low = high = visible_from(sample.x) * sample.area / (unit * unit);
+      }
+      shares += {whole, low, high};
     }
     return shares;
   }

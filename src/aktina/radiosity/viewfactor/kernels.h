@@ -65,17 +65,26 @@ struct BlockingPolygon {
   bool closed;          // points behind all of its polygons see nothing
 };
 
-/// Receiving points in lanes; as many as are a multiple of sixteen.
+/// Receiving points in lanes, and the areas that they stand for.
 template <class T>
 struct PointLanes {
   alignas(64) T x[3][kLeaf];
+  alignas(64) T areas[kLeaf];
 };
 
-/// What each point sees: to the whole source; hidden by all blockers, shadows that overlap counted twice; hidden by the
-/// blocker that hides most. Form factors.
+/// Exchange areas: unobstructed; what is certainly seen; what may be seen.
+struct Shares {
+  double whole = 0, low = 0, high = 0;
+  double seen() const { return 0.5 * (low + high); }
+  void operator+=(const Shares& other) { whole += other.whole, low += other.low, high += other.high; }
+};
+
+/// Of each point: to the whole source; without all that blockers hide, shadows that overlap counted twice; without what
+/// the blocker hides that hides most. And their sums.
 template <class T>
 struct Seen {
-  alignas(64) T whole[kLeaf], hidden[kLeaf], most[kLeaf];
+  alignas(64) T whole[kLeaf], low[kLeaf], high[kLeaf];
+  Shares all;
 };
 
 template <class T>

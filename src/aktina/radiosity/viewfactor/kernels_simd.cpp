@@ -59,6 +59,17 @@ HWY_INLINE hn::Vec<D> inverse_root(D d, hn::Vec<D> x) {
   }
 }
 
+/// a / b to a few units in the last place; anything where b is 0.
+template <class D>
+HWY_INLINE hn::Vec<D> quotient(D d, hn::Vec<D> a, hn::Vec<D> b) {
+  if constexpr (sizeof(hn::TFromD<D>) == 4) {
+    const auto r = hn::ApproximateReciprocal(b);
+    return a * (r * hn::NegMulAdd(b, r, hn::Set(d, 2.0F)));
+  } else {
+    return a / b;
+  }
+}
+
 /// n . side over |side|, times the angle between two corners: what an edge adds to the contour integral.
 /// @param product, ra, rb  a . b and one over the distances;  @param facing  n . side
 template <class D, class V = hn::Vec<D>>
@@ -119,7 +130,7 @@ template <class D>
 HWY_INLINE void cut(D d, hn::Vec<D> a, hn::Vec<D> b, hn::Vec<D>& from, hn::Vec<D>& to) {
   using T = hn::TFromD<D>;
   const auto zero = hn::Zero(d);
-  const auto t = a / (a - b);
+  const auto t = quotient(d, a, a - b);
   const auto a_out = a <= zero, b_out = b <= zero;
   from = hn::IfThenElse(hn::AndNot(b_out, a_out), hn::Max(from, t), from);
   to = hn::IfThenElse(hn::AndNot(a_out, b_out), hn::Min(to, t), to);
@@ -132,6 +143,7 @@ struct View {
   using V = hn::Vec<D>;
   Three<hn::Vec<D>> corners[kMostSource], sides[kMostSource];  // sides: inward normals of the pyramid of sight
   V facing[kMostSource];                                       // n . side
+  V terms[kMostSource];                                        // of whole edges, in the contour integral
   int count;
 };
 
@@ -154,6 +166,7 @@ struct Pyramid {
   Three<V> corners[kMostBlocking], sides[kMostBlocking];
   V heights[kMostBlocking][kMostSource];  // of the source's corners over the sides
   int count;
+  int cutting[kMostBlocking], cuts;  // sides that do not have all of the source inside
 };
 
 /// False where the source is beside the polygon for all points.
@@ -162,48 +175,48 @@ template <class D, class T = hn::TFromD<D>>
 HWY_INLINE bool look_past(D d, const View<D>& source, const Three<hn::Vec<D>>& x, const BlockingPolygon<T>& polygon,
                           hn::Vec<D> seen, Pyramid<D>& pyramid) {
   const auto zero = hn::Zero(d);
-  pyramid.count = polygon.count;
+  pyramid.count = polygon.count, pyramid.cuts = 0;
   for (int k = 0; k < polygon.count; ++k) pyramid.corners[k] = spread(d, polygon.corners[k]) - x;
   for (int k = 0; k < polygon.count; ++k) {
     auto& side = pyramid.sides[k];
     side = cross(pyramid.corners[k + 1 == polygon.count ? 0 : k + 1], pyramid.corners[k]);
     side = {side.x * seen, side.y * seen, side.z * seen};
-    auto highest = zero;
-    for (int e = 0; e < source.count; ++e) {
-      pyramid.heights[k][e] = dot(side, source.corners[e]);
-      highest = hn::Max(highest, pyramid.heights[k][e]);
+    auto highest = pyramid.heights[k][0] = dot(side, source.corners[0]);
+    auto lowest = highest;
+    for (int e = 1; e < source.count; ++e) {
+      const auto height = pyramid.heights[k][e] = dot(side, source.corners[e]);
+      highest = hn::Max(highest, height), lowest = hn::Min(lowest, height);
     }
     if (hn::AllFalse(d, highest > zero)) return false;
+    if (!hn::AllTrue(d, lowest > zero)) pyramid.cutting[pyramid.cuts++] = k;
   }
   return true;
 }
 
-/// 2 pi times the form factor of the part of the source that the polygon covers.
+/// 2 pi times the form factor of the part of the source that the polygon covers. Sides that have all of the source
+/// inside do not meet it.
 template <class D, class T = hn::TFromD<D>>
 HWY_INLINE hn::Vec<D> covered(D d, const View<D>& source, const Three<hn::Vec<D>>& n, const Pyramid<D>& polygon) {
   const auto zero = hn::Zero(d), one = hn::Set(d, T(1));
-  hn::Vec<D> over[kMostBlocking][kMostSource];  // heights of the polygon's corners over the source's sides
-  for (int e = 0; e < source.count; ++e) {
-    auto highest = zero;
-    for (int k = 0; k < polygon.count; ++k) {
-      over[k][e] = dot(source.sides[e], polygon.corners[k]);
-      highest = hn::Max(highest, over[k][e]);
-    }
-    if (hn::AllFalse(d, highest > zero)) return zero;
-  }
   auto sum = zero;
-  for (int k = 0; k < polygon.count; ++k) {
-    const int next = k + 1 == polygon.count ? 0 : k + 1;
+  for (int i = 0; i < polygon.cuts; ++i) {
+    const int k = polygon.cutting[i], next = k + 1 == polygon.count ? 0 : k + 1;
+    const auto &a = polygon.corners[k], &b = polygon.corners[next];
     auto begin = zero, end = one;
-    for (int e = 0; e < source.count; ++e) cut(d, over[k][e], over[next][e], begin, end);
-    sum = sum +
-          part(d, polygon.corners[k], polygon.corners[next], begin, end, polygon.sides[k], dot(n, polygon.sides[k]));
+    for (int e = 0; e < source.count; ++e) cut(d, dot(source.sides[e], a), dot(source.sides[e], b), begin, end);
+    sum = sum + part(d, a, b, begin, end, polygon.sides[k], dot(n, polygon.sides[k]));
   }
   for (int e = 0; e < source.count; ++e) {
     const int next = e + 1 == source.count ? 0 : e + 1;
     auto begin = zero, end = one;
-    for (int k = 0; k < polygon.count; ++k) cut(d, polygon.heights[k][e], polygon.heights[k][next], begin, end);
-    sum = sum + part(d, source.corners[e], source.corners[next], begin, end, source.sides[e], source.facing[e]);
+    for (int i = 0; i < polygon.cuts; ++i) {
+      const auto& heights = polygon.heights[polygon.cutting[i]];
+      cut(d, heights[e], heights[next], begin, end);
+    }
+    const bool whole = hn::AllTrue(d, hn::And(begin == zero, end == one));
+    sum =
+        sum + (whole ? source.terms[e]
+                     : part(d, source.corners[e], source.corners[next], begin, end, source.sides[e], source.facing[e]));
   }
   return sum;
 }
@@ -236,6 +249,7 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
   const T n3[3] = {normal[0], normal[1], normal[2]};
   const auto n = spread(d, n3);
   const auto zero = hn::Zero(d), one = hn::Set(d, T(1)), edge_on = hn::Set(d, kEdgeOn<T>);
+  auto whole_sum = zero, low_sum = zero, high_sum = zero;
   for (size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
     const auto x = points_at(d, points, lane);
     View<D> source;
@@ -245,8 +259,9 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
       const auto &a = source.corners[k], &b = source.corners[k + 1 == polygon.count ? 0 : k + 1];
       source.sides[k] = cross(b, a);
       source.facing[k] = dot(n, source.sides[k]);
-      whole = whole + edge_term(d, dot(a, b), inverse_root(d, dot(a, a)), inverse_root(d, dot(b, b)), source.sides[k],
-                                source.facing[k]);
+      source.terms[k] = edge_term(d, dot(a, b), inverse_root(d, dot(a, a)), inverse_root(d, dot(b, b)), source.sides[k],
+                                  source.facing[k]);
+      whole = whole + source.terms[k];
     }
     auto hidden = zero, most = zero, own = zero;
     auto inside = (zero < zero);
@@ -269,11 +284,17 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
     }
     own = hn::IfThenElse(inside, whole, own);
     hidden = hidden + own, most = hn::Max(most, own);
-    const auto scale = hn::Set(d, T(1 / kTwoPi));
-    hn::Store(whole * scale, d, seen.whole + lane);
-    hn::Store(hidden * scale, d, seen.hidden + lane);
-    hn::Store(most * scale, d, seen.most + lane);
+    whole = hn::Max(whole, zero);
+    const auto scale = hn::Load(d, points.areas + lane) * hn::Set(d, T(1 / kTwoPi));
+    whole = whole * scale;
+    const auto low = hn::Max(whole - hidden * scale, zero), high = hn::Max(whole - most * scale, zero);
+    hn::Store(whole, d, seen.whole + lane);
+    hn::Store(low, d, seen.low + lane);
+    hn::Store(high, d, seen.high + lane);
+    whole_sum = whole_sum + whole, low_sum = low_sum + low, high_sum = high_sum + high;
   }
+  seen.all = {double(hn::GetLane(hn::SumOfLanes(d, whole_sum))), double(hn::GetLane(hn::SumOfLanes(d, low_sum))),
+              double(hn::GetLane(hn::SumOfLanes(d, high_sum)))};
 }
 
 /// Whether a source side has all of the polygon beyond it.
@@ -329,7 +350,7 @@ uint32_t BlockedLanes(const float* receiver, const float* sources, size_t bounds
           const auto a = hn::Set(d, receiver[(4 * k + p) * kLeaf]);
           const auto b = hn::LoadU(d, sources + (4 * k + q) * kLeaf + lane);
           from = hn::IfThenElse(hn::And(a > outside, b > outside), never, from);
-          const auto t = a / (a - b);
+          const auto t = quotient(d, a, a - b);
           from = hn::IfThenElse(hn::And(a > zero, b <= zero), hn::Max(from, t), from);
           to = hn::IfThenElse(hn::And(a <= zero, b > zero), hn::Min(to, t), to);
         }

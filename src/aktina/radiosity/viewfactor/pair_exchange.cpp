@@ -117,6 +117,10 @@ void PairExchange<T>::receive(uint32_t r) {
   for (uint32_t left = seen; left != 0; left &= left - 1) {
     const auto s = uint32_t(std::countr_zero(left));
     if (!(areas_[s] > 0)) continue;
+    if (!crowded_ && blocker_count_ == 0) {
+      keep(r, s, {areas_[s], errors_[s]});
+      continue;
+    }
     const Estimate e = past_blockers(r, s, {areas_[s], errors_[s]});
     if (e.value > 0) keep(r, s, e);
   }
@@ -152,12 +156,13 @@ void PairExchange<T>::keep(uint32_t r, uint32_t s, Estimate e) {
 template <class T>
 int PairExchange<T>::order(const Face& receiver, const Face& source) const {
   const double distance = length(receiver.centre - source.centre), sizes = receiver.radius + source.radius;
-  if (distance < 2 * sizes) return 0;
+  if (distance < 1.4 * sizes) return 0;
   const double ratio = receiver.radius / distance, square = ratio * ratio;
   const double f = std::min(receiver.area, source.area) / (kPi * distance * distance) * 0.02;
   const double allowed = 0.02 * setting_.target * std::min(1.0, source.area / receiver.area);
   if (f * square * square <= allowed && distance > 3 * sizes) return 2;
-  return f * square * square * square * square <= allowed ? 4 : f * power(square, 6) <= allowed ? 6 : 0;
+  if (f * power(square, 4) <= allowed && distance > 2 * sizes) return 4;
+  return f * power(square, 6) <= allowed ? 6 : 0;
 }
 
 /// Whether two points on each axis are certainly enough for all sources.

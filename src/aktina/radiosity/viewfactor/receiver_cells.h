@@ -6,19 +6,14 @@
 
 namespace aktina {
 
+/// @param unit  of lengths, m
 template <class T>
-struct CellPoints {
-  PointLanes<T> lanes;
-  std::array<double, kLeaf> areas;
-};
-
-template <class T>
-CellPoints<T> cell_points(const Cell& cell, Point3d origin, double unit) {
+PointLanes<T> cell_points(const Cell& cell, Point3d origin, double unit) {
   const std::array<SurfaceSample, kLeaf> samples = gauss_points(cell);
-  CellPoints<T> points;
+  PointLanes<T> points;
   for (size_t k = 0; k < kLeaf; ++k) {
-    points.areas[k] = samples[k].area;
-    for (int axis = 0; axis < 3; ++axis) points.lanes.x[axis][k] = T((samples[k].x[axis] - origin[axis]) / unit);
+    points.areas[k] = T(samples[k].area / (unit * unit));
+    for (int axis = 0; axis < 3; ++axis) points.x[axis][k] = T((samples[k].x[axis] - origin[axis]) / unit);
   }
   return points;
 }
@@ -35,9 +30,9 @@ class ReceiverCells {
   }
   size_t size() const { return cells_.size(); }
   const Cell& cell(size_t i) const { return cells_[i]; }
-  const CellPoints<T>& coarse(size_t i) const { return coarse_[i]; }
+  const PointLanes<T>& coarse(size_t i) const { return coarse_[i]; }
   /// Of a quarter of a cell; made when the first is asked for.
-  const CellPoints<T>& quarter(size_t i, int k) {
+  const PointLanes<T>& quarter(size_t i, int k) {
     if (fine_.empty())
       for (const Cell& cell : cells_)
         for (int q = 0; q < 4; ++q) fine_.push_back(cell_points<T>(cell.quarter(q), origin_, unit_));
@@ -50,7 +45,7 @@ class ReceiverCells {
   Point3d origin_{0};
   double unit_ = 1;
   std::vector<Cell> cells_;
-  std::vector<CellPoints<T>> coarse_, fine_;
+  std::vector<PointLanes<T>> coarse_, fine_;
 };
 
 }  // namespace aktina

@@ -64,12 +64,17 @@ class RowBatch {
     double* sums = &areas_[row * columns_];
     float* wrong = &errors_[row * columns_];
     const double scale = 1 / area;
-    for (size_t w = 0; w < words_; ++w)
-      for (uint64_t left = sets_[row * words_ + w]; left != 0; left &= left - 1) {
-        const auto j = uint32_t(64 * w + size_t(std::countr_zero(left)));
-        *columns++ = j, *factors++ = sums[j] * scale, *errors++ = float(double(wrong[j]) * scale);
-        sums[j] = 0, wrong[j] = 0;
-      }
+    const auto put = [&](uint32_t j) {
+      *columns++ = j, *factors++ = sums[j] * scale, *errors++ = float(double(wrong[j]) * scale);
+      sums[j] = 0, wrong[j] = 0;
+    };
+    for (size_t w = 0; w < words_; ++w) {
+      uint64_t left = sets_[row * words_ + w];
+      if (left == ~uint64_t(0))
+        for (uint32_t k = 0; k < 64; ++k) put(uint32_t(64 * w) + k);
+      else
+        for (; left != 0; left &= left - 1) put(uint32_t(64 * w + size_t(std::countr_zero(left))));
+    }
   }
 
  private:
@@ -140,6 +145,13 @@ class RowMaker {
 
 void count_rows(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
                 const Exchanges& exchanges, std::vector<uint64_t>& counts) {
+  if (ownership.is_one_each() && surfaces.size() == ownership.surfaces()) {
+    for (const auto& list : exchanges.lists)
+      for (const LeafExchange& e : list)
+        for (const Exchange& pair : e.all())
+          ++counts[ownership.owner(e.a, pair.of_a)], ++counts[ownership.owner(e.b, pair.of_b)];
+    return;
+  }
   RowMaker(ownership, surfaces, leaves, exchanges)
       .run([](RowBatch& batch, size_t row, uint32_t j, const Exchange&) { batch.note(row, j); },
            [&](RowBatch& batch, size_t row, uint32_t i) { counts[i] = batch.count(row); });

@@ -12,6 +12,8 @@ class Ownership {
   Ownership(const ViewFactorScene& scene, const Faces& faces, const Leaves& leaves);
   size_t surfaces() const { return areas_.size(); }
   const std::vector<double>& areas() const { return areas_; }
+  /// Whether each surface is one fragment.
+  bool is_one_each() const { return owners_.size() == areas_.size(); }
   /// Fragments in a leaf.
   uint32_t count(uint32_t leaf) const { return leaves_.leaves[leaf].count; }
   /// Of the fragment in a lane of a leaf.
