@@ -114,51 +114,68 @@ class Lighting {
     return texel_point(layout_, t, uv);
   }
 
-  /// Half of the texel or more lies within a body.
+  /// Half of the texel or more lies within a body: from there all rays, four from each quarter, meet backs.
   bool buried(size_t texel) const {
     constexpr Vec2 kCorners[] = {{0.05f, 0.05f}, {0.95f, 0.05f}, {0.05f, 0.95f}, {0.95f, 0.95f}};
-    int within = 0;
-    for (uint32_t k = 0; k < 4; ++k) within += sees_backs(place(texel, kCorners[k]), sequence(texel, int(k)));
-    return within >= 2;
-  }
-  /// All that is seen from there are backs of surfaces, but for one ray: faces of two bodies may stand in one place.
-  bool sees_backs(const TexelPoint& p, SampleSequence sequence) const {
-    constexpr uint32_t kRays = 5;
-    const Point3 from = offset_point(p.position, p.facing);
-    const Frame frame(p.facing);
-    int fronts = 0;
-    sequence.seed = hash_combine(sequence.seed, sequence.index);
-    for (sequence.index = 0; sequence.index < kRays && fronts < 2; ++sequence.index) {
-      const Vec3 direction = frame.to_world(sample_cosine_hemisphere(sequence.pair(kDirection)));
-      const Hit hit = rays_->accelerator->intersect(Ray{from, direction});
-      fronts += !hit || rays_->surfaces.material(hit.instance).double_sided || dot(hit.normal, direction) <= 0;
+    PairPacket random;
+    sample_pairs(sequences(~texel, 0, kPacket, kDirection), 0, random);
+    RayPacket rays{};
+    Vec3 directions[kPacket];
+    for (int k = 0; k < kPacket; ++k) {
+      const TexelPoint p = place(texel, kCorners[k / 4]);
+      directions[k] = Frame(p.facing).to_world(sample_cosine_hemisphere(random.at(k)));
+      rays.set(k, {offset_point(p.position, p.facing), directions[k]});
     }
-    return fronts < 2;
+    HitPacket hits;
+    rays_->accelerator->intersect(rays, 0xffff, hits, Coherence::incoherent);
+    bool within[4] = {true, true, true, true};
+    for (int k = 0; k < kPacket; ++k) {
+      const Hit hit = hits.at(k);
+      within[k / 4] &=
+          hit && !rays_->surfaces.material(hit.instance).double_sided && dot(hit.normal, directions[k]) > 0;
+    }
+    return within[0] + within[1] + within[2] + within[3] >= 2;
+  }
+
+  SequencePacket sequences(size_t texel, int first, int count, uint32_t dimension) const {
+    SequencePacket packet;
+    for (int k = 0; k < count; ++k) packet.set(k, sequence(texel, first + k), dimension);
+    return packet;
   }
 
   void sample_direct(size_t texel, std::vector<Rgb>& values) const {
     thread_local ShadowRays shadows(false);
-    for (int k = 0; k < int(values.size()); ++k) {
-      const SampleSequence own = sequence(texel, k);
-      const TexelPoint p = place(texel, own);
-      const Point3 from = offset_point(p.position, p.facing);
-      const ArrivingLight light = rays_->lights.sample(from, own.single(kLampChoice), own.pair(kLampPlace));
-      const float cosine = dot(light.wi, p.normal);
-      if (is_black(light.e_perp) || !(cosine > 0 && dot(light.wi, p.facing) > 0)) continue;
-      shadows.add({shadow_ray(from, light.target, light.distant), light.e_perp * cosine, uint32_t(k)});
+    PairPacket within, choice, on_lamp;
+    for (int first = 0; first < int(values.size()); first += kPacket) {
+      const int n = std::min(int(values.size()) - first, int(kPacket));
+      const SequencePacket numbers = sequences(texel, first, n, 0);
+      sample_pairs(numbers, kWithin, within);
+      if (!rays_->lights.only_one()) sample_pairs(numbers, kLampChoice, choice);
+      sample_pairs(numbers, kLampPlace, on_lamp);
+      for (int k = 0; k < n; ++k) {
+        const TexelPoint p = place(texel, within.at(k));
+        const Point3 from = offset_point(p.position, p.facing);
+        const ArrivingLight light =
+            rays_->lights.sample(from, rays_->lights.only_one() ? 0 : choice.at(k).x, on_lamp.at(k));
+        const float cosine = dot(light.wi, p.normal);
+        if (is_black(light.e_perp) || !(cosine > 0 && dot(light.wi, p.facing) > 0)) continue;
+        shadows.add({shadow_ray(from, light.target, light.distant), light.e_perp * cosine, uint32_t(first + k)});
+      }
     }
     shadows.trace(*rays_, Coherence::coherent, [&](const ShadowRay& ray) { values[ray.query] += ray.light; });
   }
 
   void gather(size_t texel, std::vector<Rgb>& values) const {
+    PairPacket within, towards;
     for (int first = 0; first < int(values.size()); first += kPacket) {
       const int n = std::min(int(values.size()) - first, int(kPacket));
+      const SequencePacket numbers = sequences(~texel, first, n, 0);
+      sample_pairs(numbers, kWithin, within), sample_pairs(numbers, kDirection, towards);
       RayPacket packet{};
       Ray rays[kPacket];
       for (int k = 0; k < n; ++k) {
-        const SampleSequence own = sequence(~texel, first + k);
-        const TexelPoint p = place(texel, own);
-        const Vec3 direction = Frame(p.normal).to_world(sample_cosine_hemisphere(own.pair(kDirection)));
+        const TexelPoint p = place(texel, within.at(k));
+        const Vec3 direction = Frame(p.normal).to_world(sample_cosine_hemisphere(towards.at(k)));
         rays[k] = {offset_point(p.position, p.facing), normalize(direction)};
         packet.set(k, rays[k]);
       }
