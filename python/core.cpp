@@ -26,6 +26,7 @@ PYBIND11_MODULE(_core, m) {
   bind_view_factors(m);
   bind_scene(m);
   bind_jobs(m);
+  bind_lightmaps(m);
   bind_study(m);
   bind_radiosity(m);
 }

@@ -17,6 +17,7 @@ void bind_lights(py::module_& m);
 void bind_scene(py::module_& m);
 void bind_shading(py::module_& m);
 void bind_jobs(py::module_& m);
+void bind_lightmaps(py::module_& m);
 void bind_study(py::module_& m);
 void bind_catalogue(py::module_& m);
 void bind_radiosity(py::module_& m);

@@ -282,6 +282,39 @@ class Solution:
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> NDArray[np.float32]: ...
     def save(self, path: str | os.PathLike[str]) -> None: ...
+    def lightmap(
+        self,
+        texel_size: float = 0.0,
+        size: int = 1024,
+        padding: int = 2,
+        keep_uv: bool = True,
+        direct_samples: int = 16,
+        gather_samples: int = 0,
+        seed: int = 0,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> Lightmap: ...
+    def bake(
+        self,
+        path: str | os.PathLike[str],
+        form: str = "vertex",
+        exposure: float = 0.0,
+        texel_size: float = 0.0,
+        size: int = 1024,
+        padding: int = 2,
+        keep_uv: bool = True,
+        direct_samples: int = 16,
+        gather_samples: int = 0,
+        seed: int = 0,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+    ) -> list[str]: ...
+
+class Lightmap:
+    pages: list[NDArray[np.float32]]
+    meshes: list[dict[str, Any]]
+    texel_size: float
+    seams: tuple[float, float]
+    warnings: list[tuple[str, int]]
+    def __init__(self, pages: Any, meshes: Any, texel_size: float, seams: Any, warnings: Any) -> None: ...
 
 def load_solution(path: str | os.PathLike[str], scene: Scene) -> Solution: ...
 def load(path: str | os.PathLike[str], normals: str | None = None, crease: float = ...) -> Scene: ...

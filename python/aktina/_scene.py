@@ -210,8 +210,70 @@ class Solution:
         lit model)."""
         _core.write_solution(self._result, self.scene._scene, os.fspath(path))
 
+    def lightmap(self, texel_size=0.0, size=1024, padding=2, keep_uv=True, direct_samples=16, gather_samples=0, seed=0,
+                 progress=None):
+        """The light on the surfaces as pictures.
+
+        texel_size : m; 0: the smallest at which all fits on one page.  size : largest width and height of a page.
+        padding : texels about each chart that are nobody else's.
+        keep_uv : second texture coordinates of the file are used where they can be.
+        direct_samples : shadow rays a texel; 0: direct light as the solution has it.
+        gather_samples : rays a texel that gather indirect light; 0: as the solution has it.
+        Returns Lightmap.  Raises LimitExceeded (says what would fit), BadParam, Unsupported, Cancelled.
+
+        >>> import aktina
+        >>> floor = {"vertices": [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+        >>> scene = aktina.Scene([floor], lights=[{"type": "point", "position": [0, 2, 0], "intensity": 40}])
+        >>> lightmap = scene.radiosity(patch_size=0.5).lightmap(texel_size=0.02)
+        >>> bool(abs(lightmap.pages[0].max() - 10) < 0.05)  # 40 cd at 2 m
+        True
+        """
+        options = _lightmap_options(texel_size, size, padding, keep_uv, direct_samples, gather_samples)
+        return Lightmap(*_core.make_lightmap(self._result, self.scene._scene, options, int(seed), progress))
+
+    def bake(self, path, form="vertex", exposure=0.0, texel_size=0.0, size=1024, padding=2, keep_uv=True,
+             direct_samples=16, gather_samples=0, seed=0, progress=None):
+        """Writes the scene with its light in it, for viewers that compute none (docs/baking.md).
+
+        path : .glb or .gltf: the model; .exr: its lightmap alone, in lux.
+        form : "vertex" (colours on unlit materials), "emissive" (a texture on black materials that shine) or
+            "lightmap" (MOZ_lightmap on the materials as they are, and the .exr beside).
+        exposure : factor from radiance in cd/m^2 to colours; 0: the largest at which 1 % of the area clips.
+        The rest as for `lightmap`.
+        Returns the names of the files.  Raises UsageError, FileError and as `lightmap` does.
+        """
+        options = _lightmap_options(texel_size, size, padding, keep_uv, direct_samples, gather_samples)
+        return _core.bake(self._result, self.scene._scene, os.fspath(path), form, number("exposure", exposure, 0),
+                          options, int(seed), progress)
+
     def __repr__(self):
         return f"<aktina.Solution: {len(self.areas)} patches, {'converged' if self.converged else 'not converged'}>"
+
+
+def _lightmap_options(texel_size, size, padding, keep_uv, direct_samples, gather_samples):
+    return {"texel_size": float(texel_size), "size": int(size), "padding": int(padding), "keep_uv": bool(keep_uv),
+            "direct_samples": int(direct_samples), "gather_samples": int(gather_samples)}
+
+
+class Lightmap:
+    """The light on a scene's surfaces as pictures, from `Solution.lightmap`. Arrays cannot be written to.
+
+    `pages` : (H, W, 3) float32 each: irradiance, lx, rows from the top. `texel_size` : m.
+    `meshes` : what stands on the pages, a dictionary each: `instance` (of the scene), `page`, `back` (of what is
+        two-sided), `vertices` (V, 3) m, world, `uv` (V, 2) on the page, v down, `triangles` (T, 3).
+    `seams` : root mean square of the differences at seams over the mean, before and after they were closed.
+    `warnings` : [(text, count)].
+    """
+
+    def __init__(self, pages, meshes, texel_size, seams, warnings):
+        names = ("instance", "page", "back", "vertices", "uv", "triangles")
+        self.pages = [np.asarray(page) for page in pages]
+        self.meshes = [dict(zip(names, (*mesh[:3], *map(np.asarray, mesh[3:])))) for mesh in meshes]
+        self.texel_size, self.seams, self.warnings = texel_size, seams, warnings
+
+    def __repr__(self):
+        sizes = ", ".join(f"{page.shape[1]} x {page.shape[0]}" for page in self.pages)
+        return f"<aktina.Lightmap: {sizes} texels of {self.texel_size:.3g} m>"
 
 
 def load_solution(path, scene):
