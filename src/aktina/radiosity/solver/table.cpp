@@ -4,7 +4,7 @@
 namespace aktina {
 
 extern const RadiositySolverRow stochastic_jacobi_radiosity, progressive_radiosity, matrix_radiosity, jacobi_radiosity,
-    overrelaxed_radiosity, southwell_radiosity, conjugate_gradient_radiosity, gmres_radiosity;
+    overrelaxed_radiosity, southwell_radiosity, conjugate_gradient_radiosity, gmres_radiosity, hierarchical_radiosity;
 
 std::span<const RadiositySolverRow* const> solvers() {
   static constexpr const RadiositySolverRow* kTable[] = {&stochastic_jacobi_radiosity,
@@ -14,7 +14,8 @@ std::span<const RadiositySolverRow* const> solvers() {
                                                          &overrelaxed_radiosity,
                                                          &southwell_radiosity,
                                                          &conjugate_gradient_radiosity,
-                                                         &gmres_radiosity};
+                                                         &gmres_radiosity,
+                                                         &hierarchical_radiosity};
   return kTable;
 }
 

@@ -1,0 +1,104 @@
+#include "aktina/radiosity/solver/hierarchy/hierarchy.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aktina/base/error.h"
+#include "aktina/base/parallel.h"
+#include "aktina/base/statistics.h"
+
+namespace aktina {
+namespace {
+
+constexpr size_t kMostRoots = 1 << 14;  // every two are looked at
+constexpr size_t kGrain = 64;           // nodes
+
+SurfaceTree make_tree(const SurfaceLayout& layout, double leaf_size) {
+  if (layout.faces.size() > kMostRoots)
+    throw Error(Code::limit, "radiosity", fmt::format("{} faces, and links between every two", layout.faces.size()),
+                fmt::format("at most {}, or a solver that does not link them", kMostRoots));
+  return SurfaceTree(layout, leaf_size);
+}
+
+double flux_to_distribute(const RadiosityProblem& p) {
+  Sum sum;
+  for (size_t s = 0; s < p.size(); ++s)
+    for (size_t b = 0; b < p.bands; ++b) {
+      const size_t k = s * p.bands + b;
+      const double lit = p.arriving.empty() ? 0 : p.reflectances[k] * p.arriving[k];
+      sum.add(p.areas[s] * p.weights[b] * (p.emissions[k] + lit));
+    }
+  return sum.value();
+}
+
+}  // namespace
+
+Hierarchy::Hierarchy(const RadiosityProblem& problem, const ReceiverSurfaces& surfaces, const HierarchyOptions& options,
+                     uint32_t seed)
+    : problem_(problem),
+      basis_(options.basis),
+      tree_(make_tree(surfaces.layout(), options.leaf_size)),
+      transport_(basis_, options.spread),
+      light_(tree_, basis_, problem),
+      refinement_(tree_, light_, transport_, surfaces.visibility(), options.oracle, seed),
+      links_(basis_.most() > 1 ? basis_.most() * basis_.most() : 0),
+      most_(options.most * (options.oracle == Oracle::factor ? 1 : flux_to_distribute(problem))) {}
+
+void Hierarchy::link(double times, Progress* progress) {
+  if (!linked_)
+    refinement_.link_roots(links_, times * most_, most_, progress);
+  else
+    refinement_.refine(links_, times * most_, most_, progress);
+  linked_ = true;
+}
+
+std::vector<double> Hierarchy::gather() const {
+  const size_t per_node = light_.per_node(), functions = light_.functions(), bands = problem_.bands;
+  std::vector<double> gathered(tree_.nodes().size() * per_node, 0);
+  parallel_for(links_.nodes(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t node = begin; node < end; ++node) {
+      const std::span<const Link> own = links_.of(uint32_t(node));
+      double* to = &gathered[node * per_node];
+      for (size_t k = 0; k < own.size(); ++k) {
+        if (!(own[k].visible > 0)) continue;
+        const double* from = light_.radiosity(own[k].sender).data();
+        if (functions == 1) {
+          const double factor = double(own[k].factor) * double(own[k].visible);
+          for (size_t b = 0; b < bands; ++b) to[b] += factor * from[b];
+          continue;
+        }
+        const size_t rows = basis_.of(tree_.root(uint32_t(node)).triangle).count;
+        const size_t columns = basis_.of(tree_.root(own[k].sender).triangle).count;
+        const float* t = links_.coefficients(uint32_t(node), k);
+        for (size_t b = 0; b < bands; ++b)
+          for (size_t i = 0; i < rows; ++i) {
+            double sum = 0;
+            for (size_t j = 0; j < columns; ++j) sum += double(t[i * columns + j]) * from[b * functions + j];
+            to[b * functions + i] += double(own[k].visible) * sum;
+          }
+      }
+    }
+  });
+  return gathered;
+}
+
+double Hierarchy::exchange() {
+  const std::vector<double> before = light_.radiosities;
+  light_.push_and_pull(gather());
+  Sum changed;
+  for (uint32_t node = 0; node < tree_.nodes().size(); ++node)
+    for (size_t k = 0; tree_.is_leaf(node) && k < light_.per_node(); k += light_.functions()) {
+      const size_t at = node * light_.per_node() + k;
+      changed.add(tree_.area(node) * problem_.weights[k / light_.functions()] *
+                  std::abs(light_.radiosities[at] - before[at]));
+    }
+  return changed.value();
+}
+
+size_t Hierarchy::leaves() const {
+  return tree_.roots().size() + (tree_.nodes().size() - tree_.roots().size()) / 4 * 3;
+}
+
+}  // namespace aktina

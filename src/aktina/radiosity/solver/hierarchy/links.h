@@ -1,0 +1,54 @@
+// Links: which node receives light from which, sorted by receiver.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace aktina {
+
+struct Link {
+  uint32_t sender;
+  float factor;   // mean form factor from the receiver to the sender, as if nothing were in between
+  float spread;   // its error
+  float visible;  // share of rays that pass; below 0: nobody has looked yet, for there was no light to send
+};
+static_assert(sizeof(Link) == 16);
+
+class Links {
+ public:
+  /// @param coefficients  of a link beside its factor; 0 where the factor is all
+  explicit Links(size_t coefficients) : per_link_(coefficients) {}
+
+  size_t size() const { return links_.size(); }
+  size_t nodes() const { return first_.size() - 1; }
+  std::span<const Link> of(uint32_t receiver) const {
+    return {links_.data() + first_[receiver], first_[receiver + 1] - first_[receiver]};
+  }
+  /// Of the k-th of them.
+  const float* coefficients(uint32_t receiver, size_t k) const {
+    return &coefficients_[(first_[receiver] + k) * per_link_];
+  }
+  size_t bytes() const { return links_.size() * sizeof(Link) + coefficients_.size() * sizeof(float); }
+
+  /// Links in any order, with their receivers.
+  struct Unsorted {
+    std::vector<uint32_t> receivers;
+    std::vector<Link> links;
+    std::vector<float> coefficients;
+    void add(uint32_t receiver, const Link& link, std::span<const float> own) {
+      receivers.push_back(receiver), links.push_back(link);
+      coefficients.insert(coefficients.end(), own.begin(), own.end());
+    }
+  };
+  size_t per_link() const { return per_link_; }
+  void replace(const Unsorted& all, size_t nodes);
+
+ private:
+  size_t per_link_;
+  std::vector<Link> links_;
+  std::vector<float> coefficients_;
+  std::vector<size_t> first_{0};  // by node
+};
+
+}  // namespace aktina
