@@ -9,7 +9,13 @@ from .cases import ANALYTIC, SAMPLED, Method, ids
 def kinds():
     computed = {"given_F": given, "sphere_interior": given, "box_enclosure": box, "box_enclosure_rgb": box,
                 "subdivided_room": subdivided_room, "incremental": incremental}
-    return {kind: [solver(id, compute) for id in ids("radiosity")] for kind, compute in computed.items()}
+    given_factors = [id for id in ids("radiosity") if not cuts_surfaces(id)]
+    return {kind: [solver(id, compute) for id in given_factors] for kind, compute in computed.items()}
+
+
+def cuts_surfaces(id):
+    """Such solvers find form factors of their own: these cases state them, or ask for one value on each face."""
+    return id == "hierarchical" or id.startswith("wavelet_")
 
 
 def solver(id, compute):

@@ -4,7 +4,7 @@
 // constants: S. Gortler, P. Schroeder, M. Cohen, P. Hanrahan, "Wavelet Radiosity", SIGGRAPH '93.
 #pragma once
 
-#include "aktina/radiosity/solver/hierarchy/refinement.h"
+#include "aktina/radiosity/solver/hierarchy/link_refinement.h"
 #include "aktina/radiosity/solver/solver.h"
 
 namespace aktina {
@@ -44,7 +44,7 @@ class Hierarchy {
   SurfaceTree tree_;
   Transport transport_;
   TreeLight light_;
-  Refinement refinement_;
+  LinkRefinement refinement_;
   Links links_;
   double most_;
   bool linked_ = false;

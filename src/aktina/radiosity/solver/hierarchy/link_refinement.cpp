@@ -1,4 +1,4 @@
-#include "aktina/radiosity/solver/hierarchy/refinement.h"
+#include "aktina/radiosity/solver/hierarchy/link_refinement.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ constexpr float kDoubt = 0.1f;    // what may be visible where no ray passes: 0 
 }  // namespace
 
 /// What the oracle looks at. Where some rays pass, the edge of a shadow lies across.
-double Refinement::measure(const Link& link, uint32_t receiver) const {
+double LinkRefinement::measure(const Link& link, uint32_t receiver) const {
   if (link.visible < 0) return 0;
   const double brightness = light_.brightness(link.sender), area = tree_.area(receiver);
   const float seen = std::max(link.visible, kDoubt);
@@ -29,7 +29,7 @@ double Refinement::measure(const Link& link, uint32_t receiver) const {
   return brightness * area * double(error);
 }
 
-int Refinement::rays(const Link& link, uint32_t receiver) const {
+int LinkRefinement::rays(const Link& link, uint32_t receiver) const {
   const double flux = oracle_ == Oracle::factor
                           ? double(link.factor)
                           : light_.brightness(link.sender) * tree_.area(receiver) * double(link.factor);
@@ -37,19 +37,19 @@ int Refinement::rays(const Link& link, uint32_t receiver) const {
 }
 
 /// The larger one, or the one that may be cut.
-Refinement::Verdict Refinement::to_cut(uint32_t receiver, uint32_t sender) const {
+LinkRefinement::Verdict LinkRefinement::to_cut(uint32_t receiver, uint32_t sender) const {
   const bool larger = tree_.area(receiver) >= tree_.area(sender);
   if (tree_.may_be_cut(larger ? receiver : sender)) return larger ? Verdict::cut_receiver : Verdict::cut_sender;
   if (tree_.may_be_cut(larger ? sender : receiver)) return larger ? Verdict::cut_sender : Verdict::cut_receiver;
   return Verdict::link;
 }
 
-Refinement::Verdict Refinement::judge(const Link& link, uint32_t receiver) const {
+LinkRefinement::Verdict LinkRefinement::judge(const Link& link, uint32_t receiver) const {
   return measure(link, receiver) > most_ ? to_cut(receiver, link.sender) : Verdict::link;
 }
 
-void Refinement::evaluate(std::span<const Pair> pairs, std::span<Result> results, std::span<float> coefficients,
-                          size_t per_link) const {
+void LinkRefinement::evaluate(std::span<const Pair> pairs, std::span<Result> results, std::span<float> coefficients,
+                              size_t per_link) const {
   for (size_t k = 0; k < pairs.size(); ++k) {
     const Pair& pair = pairs[k];
     Result& result = results[k];
@@ -72,7 +72,7 @@ void Refinement::evaluate(std::span<const Pair> pairs, std::span<Result> results
   }
 }
 
-void Refinement::look(std::span<const Pair> pairs, std::span<Result> results) const {
+void LinkRefinement::look(std::span<const Pair> pairs, std::span<Result> results) const {
   float passed[kChunk] = {}, weights[kChunk] = {};
   VisibilityQueue queue(visibility_, Coherence::coherent, passed);
   for (size_t k = 0; k < pairs.size(); ++k) {
@@ -96,7 +96,7 @@ void Refinement::look(std::span<const Pair> pairs, std::span<Result> results) co
   }
 }
 
-void Refinement::cut(const Pair& pair, Verdict verdict, bool clear) {
+void LinkRefinement::cut(const Pair& pair, Verdict verdict, bool clear) {
   const uint32_t node = verdict == Verdict::cut_receiver ? pair.receiver : pair.sender;
   const uint32_t first = tree_.is_leaf(node) ? tree_.cut(node) : tree_.nodes()[node].children;
   for (uint32_t c = 0; c < 4; ++c)
@@ -105,7 +105,7 @@ void Refinement::cut(const Pair& pair, Verdict verdict, bool clear) {
 }
 
 /// Deals with open pairs until none is left. @return false where it was cancelled
-bool Refinement::drain(Links::Unsorted& kept, size_t per_link, Progress* progress) {
+bool LinkRefinement::drain(Links::Unsorted& kept, size_t per_link, Progress* progress) {
   std::vector<Pair> pairs;
   std::vector<Result> results;
   std::vector<float> coefficients;
@@ -140,7 +140,7 @@ bool Refinement::drain(Links::Unsorted& kept, size_t per_link, Progress* progres
   return true;
 }
 
-void Refinement::link_roots(Links& links, double most, double final, Progress* progress) {
+void LinkRefinement::link_roots(Links& links, double most, double final, Progress* progress) {
   most_ = most, final_ = final;
   Links::Unsorted kept;
   const auto roots = uint32_t(tree_.roots().size());
@@ -154,7 +154,7 @@ void Refinement::link_roots(Links& links, double most, double final, Progress* p
   links.replace(kept, tree_.nodes().size());
 }
 
-void Refinement::refine(Links& links, double most, double final, Progress* progress) {
+void LinkRefinement::refine(Links& links, double most, double final, Progress* progress) {
   most_ = most, final_ = final;
   Links::Unsorted kept;
   for (uint32_t receiver = 0; receiver < links.nodes(); ++receiver) {

@@ -17,11 +17,11 @@ enum class Oracle {
   error        // flux that it may carry wrongly, by the spread of the factor and by what is half in the shade
 };
 
-class Refinement {
+class LinkRefinement {
  public:
   /// The arguments must outlive this.
-  Refinement(SurfaceTree& tree, TreeLight& light, const Transport& transport, const Visibility& visibility,
-             Oracle oracle, uint32_t seed)
+  LinkRefinement(SurfaceTree& tree, TreeLight& light, const Transport& transport, const Visibility& visibility,
+                 Oracle oracle, uint32_t seed)
       : tree_(tree), light_(light), transport_(transport), visibility_(visibility), oracle_(oracle), seed_(seed) {}
 
   /// Links every two roots that may see each other, or their parts.
