@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kMostPoints = 9;
 constexpr float kNear = 2.0f;     // distance of middles in sums of radii
 constexpr float kSent = 0.25f;    // what the sender's range counts: light that is even on it does not mind
-constexpr int kDeepest = 4;       // cuts of one or the other
+constexpr int kDeepest = 3;       // cuts of one or the other
 constexpr float kBehind = 1e-5f;  // of the size: what counts as lying in a plane
 
 struct Places {
