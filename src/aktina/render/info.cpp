@@ -8,7 +8,9 @@
 
 #include "aktina/image/file_format.h"
 #include "aktina/import/luminaire/luminaire.h"
+#include "aktina/radiosity/mesher/leaks.h"
 #include "aktina/scene/scene_lights.h"
+#include "aktina/scene/tessellate.h"
 
 namespace aktina {
 namespace {
@@ -65,6 +67,50 @@ Json geometry_json(const Scene& scene) {
     objects.push_back(std::move(json));
   }
   return objects;
+}
+
+std::string node_name(const Scene& scene, uint32_t instance) {
+  const int node = scene.instances[instance].node;
+  return node >= 0 ? scene.nodes[size_t(node)].name : "";
+}
+
+Json leaks_json(const Scene& scene) {
+  const TessellatedScene tessellated(scene);
+  const Leaks leaks = find_leaks(*tessellated);
+  Json worst = Json::array();
+  for (const Gap& g : leaks.worst)
+    worst.push_back({{"object", node_name(*tessellated, g.instance)},
+                     {"other", node_name(*tessellated, g.other)},
+                     {"place_m", vector(g.place)},
+                     {"width_m", g.width},
+                     {"length_m", g.length}});
+  return {{"examined", leaks.complete},
+          {"most_width_m", leaks.most_width},
+          {"gaps", leaks.gaps},
+          {"gap_length_m", leaks.gap_length},
+          {"worst_gaps", std::move(worst)},
+          {"crossed_faces", leaks.crossed_faces},
+          {"crossing_length_m", leaks.crossing_length}};
+}
+
+std::string leaks_text(const Json& l) {
+  constexpr size_t kMostGaps = 3;
+  if (!l["examined"].get<bool>()) return "leaks: not examined, too many surfaces are near each other\n";
+  std::string text;
+  if (const uint64_t count = l["crossed_faces"].get<uint64_t>())
+    text += fmt::format("{} faces that others touch or cross, along {:.4g} m: partly buried\n", count,
+                        l["crossing_length_m"].get<double>());
+  if (const uint64_t count = l["gaps"].get<uint64_t>())
+    text += fmt::format("{} gaps narrower than {:.3g} m, {:.4g} m in all: light may leak through them\n", count,
+                        l["most_width_m"].get<double>(), l["gap_length_m"].get<double>());
+  for (size_t i = 0; i < std::min(kMostGaps, l["worst_gaps"].size()); ++i) {
+    const Json& g = l["worst_gaps"][i];
+    text += fmt::format("  '{}' ends {:.3g} m off '{}', {:.3g} m long, at {:.4g} {:.4g} {:.4g}\n",
+                        g["object"].get<std::string>(), g["width_m"].get<double>(), g["other"].get<std::string>(),
+                        g["length_m"].get<double>(), g["place_m"][0].get<float>(), g["place_m"][1].get<float>(),
+                        g["place_m"][2].get<float>());
+  }
+  return text;
 }
 
 Json materials_json(const Scene& scene) {
@@ -127,6 +173,7 @@ Json scene_json(const Scene& scene) {
   json["emissive_flux_lm"] = emissive_flux(scene);
   json["mean_sky_radiance_cd_m2"] = luminance(scene_lights(scene).ambient) - luminance(scene.ambient);
   json["objects"] = geometry_json(scene);
+  json["leaks"] = leaks_json(scene);
   json["materials"] = materials_json(scene);
   json["cameras"] = cameras_json(scene);
   Json jobs = Json::array();
@@ -171,6 +218,7 @@ std::string scene_text(const Json& j) {
   for (size_t i = 0; i < std::min(kMostObjects, j["objects"].size()); ++i) text += object_line(j["objects"][i]);
   if (j["objects"].size() > kMostObjects)
     text += fmt::format("  and {} more (--json lists all)\n", j["objects"].size() - kMostObjects);
+  text += leaks_text(j["leaks"]);
   for (const Json& m : j["materials"])
     if (m["uses"] == 0) text += fmt::format("material '{}' is not used\n", m["name"].get<std::string>());
   text += "foreseen, roughly:\n";
