@@ -90,6 +90,21 @@ float exact_factor(Point3 x, Vec3 n, const TreePatch& sender) {
   return float(point_to_corners(x, n, sender.corners(), sender.normal));
 }
 
+/// Mean form factor by Gauss points.
+float mean_factor(const TreePatch& receiver, const TreePatch& sender) {
+  static const Basis constants = Basis::polynomials(1);
+  const auto& rows = constants.of(receiver.triangle).points;
+  const auto& columns = constants.of(sender.triangle).points;
+  Places xs, ys;
+  find_places(receiver, rows, xs), find_places(sender, columns, ys);
+  float kernel[16], sum = 0;
+  sample_kernel(xs, rows.size(), receiver.normal, ys, columns.size(), sender.normal, float(sender.area), kernel);
+  for (size_t a = 0; a < rows.size(); ++a)
+    for (size_t b = 0; b < columns.size(); ++b)
+      sum += float(rows[a].weight * columns[b].weight) * kernel[a * columns.size() + b];
+  return sum;
+}
+
 }  // namespace
 
 bool turned_away(const TreePatch& a, const TreePatch& b) { return behind(a, b) || behind(b, a); }
@@ -121,6 +136,12 @@ Exchange Transport::sample(const TreePatch& receiver, const TreePatch& sender, f
     exchange.spread = interpolation_error(receiver, sender, kernel);
   }
   for (size_t a = 0; a < rows; ++a) exchange.factor += float(to.points[a].weight) * factors[a];
+  const bool middles_only = to.powers.empty();
+  if (middles_only && exchange.factor > 0 && !near(receiver, sender)) {  // of boxes: their mean would be biased
+    const float mean = mean_factor(receiver, sender), scale = mean / exchange.factor;
+    for (size_t k = 0; k < rows * columns; ++k) kernel[k] *= scale;
+    exchange.factor = mean;
+  }
   if (coefficients) project(receiver, sender, kernel, coefficients);
   return exchange;
 }
