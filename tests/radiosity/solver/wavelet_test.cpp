@@ -64,6 +64,23 @@ TEST(WaveletRadiosity, UniformLightStaysUniform) {
   }
 }
 
+/// Inside of a tetrahedron: triangles only, patches that fit no quarter of theirs.
+TEST(WaveletRadiosity, TrianglesShareTheirLightLikeQuadrilaterals) {
+  Scene scene = room({1, 1, 1}, Rgb(0.5f), Rgb(10));
+  scene.instances.resize(1), scene.meshes.resize(1);
+  Mesh& mesh = scene.meshes[0];
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  mesh.normals.clear(), mesh.uv[0].clear();
+  const Surfaces s(std::move(scene), 0.3);
+  for (const char* method : {"hierarchical", "wavelet_haar", "wavelet_m2", "wavelet_m3", "wavelet_f2"}) {
+    const RadiosityState state = solve(s, method, {.tolerance = 1e-4, .target_error = 0.01});
+    const std::vector<double> expected(state.irradiances.size(), 20);
+    EXPECT_LT(difference(s.problem, state.irradiances, expected), 0.03) << method;
+    EXPECT_NEAR(state.escaped, 0, 0.01 * state.emitted) << method;
+  }
+}
+
 double links(const Surfaces& s, const Basis& basis, double most) {
   Hierarchy h(s.problem, s.surfaces, {.basis = basis, .spread = Transport::Spread::interpolation, .most = most}, 0);
   h.link(4, nullptr), h.exchange(), h.link(1, nullptr);

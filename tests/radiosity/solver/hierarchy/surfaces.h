@@ -1,9 +1,10 @@
 // Scenes as solvers on trees see them.
 #pragma once
 
-#include <memory>
+#include <cmath>
 
 #include "aktina/radiosity/mesher/mesher.h"
+#include "aktina/radiosity/solver/receiver_surfaces.h"
 #include "aktina/radiosity/solver/shots.h"
 #include "radiosity/scenes.h"
 
