@@ -95,6 +95,20 @@ TEST(Hierarchical, RefusesFactorsWithoutSurfaces) {
       testing::ThrowsMessage<Error>(testing::HasSubstr("ray_cast")));
 }
 
+TEST(Hierarchical, RefusesMoreFacesThanMemoryHasRoomForLinks) {
+  Scene scene = room({1, 1, 1}, Rgb(0.5f), Rgb(10));
+  Mesh& mesh = scene.meshes[0];
+  mesh.positions.clear(), mesh.triangles.clear(), mesh.normals.clear(), mesh.uv[0].clear();
+  for (uint32_t k = 0; k < 8000; ++k) {  // leaves of a tree
+    const Point3 p(0.01f * float(k % 90), 0.01f * float(k / 90), 0.5f);
+    for (const Vec3 d : {Vec3(0), Vec3(0.005f, 0, 0), Vec3(0, 0, 0.005f)}) mesh.positions.push_back(p + d);
+    mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  const RadiosityOptions options{.solver = "wavelet_m2", .quality = "draft"};
+  EXPECT_THAT([&] { solve_radiosity(scene, options); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("8005 faces")));
+}
+
 TEST(Hierarchical, DirectLightApartAgreesWithAllLightOnAllPatches) {
   RadiosityOptions options{.solver = "hierarchical", .patch_size = 0.1, .target_error = 0.005};
   const Solution apart = solve_radiosity(lit_room(true), options);

@@ -12,13 +12,17 @@
 namespace aktina {
 namespace {
 
-constexpr size_t kMostRoots = 1 << 14;  // every two are looked at
-constexpr size_t kGrain = 64;           // nodes
+constexpr size_t kGrain = 64;  // nodes
 
-SurfaceTree make_tree(const SurfaceLayout& layout, double leaf_size) {
-  if (layout.faces.size() > kMostRoots)
+size_t coefficients_of(const Basis& basis) { return basis.most() > 1 ? basis.most() * basis.most() : 0; }
+
+/// Some 0.4 of all pairs of faces are turned to each other, and these are linked at least.
+SurfaceTree make_tree(const SurfaceLayout& layout, const Basis& basis, double leaf_size) {
+  const auto faces = double(layout.faces.size());
+  const double one = Links::bytes(0.4, coefficients_of(basis));
+  if (one * faces * faces > Links::kMostBytes)
     throw Error(Code::limit, "radiosity", fmt::format("{} faces, and links between every two", layout.faces.size()),
-                fmt::format("at most {}, or a solver that does not link them", kMostRoots));
+                fmt::format("at most {:.0f}, or stochastic_jacobi", std::sqrt(Links::kMostBytes / one)));
   return SurfaceTree(layout, leaf_size);
 }
 
@@ -39,11 +43,11 @@ Hierarchy::Hierarchy(const RadiosityProblem& problem, const ReceiverSurfaces& su
                      uint32_t seed)
     : problem_(problem),
       basis_(options.basis),
-      tree_(make_tree(surfaces.layout(), options.leaf_size)),
+      tree_(make_tree(surfaces.layout(), basis_, options.leaf_size)),
       transport_(basis_, options.spread),
       light_(tree_, basis_, problem),
       refinement_(tree_, light_, transport_, surfaces.visibility(), options.oracle, seed),
-      links_(basis_.most() > 1 ? basis_.most() * basis_.most() : 0),
+      links_(coefficients_of(basis_)),
       most_(options.most * (options.oracle == Oracle::factor ? 1 : flux_to_distribute(problem))) {}
 
 void Hierarchy::link(double times, Progress* progress) {

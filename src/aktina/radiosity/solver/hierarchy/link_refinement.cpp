@@ -1,7 +1,10 @@
 #include "aktina/radiosity/solver/hierarchy/link_refinement.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
+#include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
 
@@ -13,6 +16,12 @@ constexpr size_t kChunk = 128;      // of one thread
 constexpr int kFewRays = 4, kUsualRays = 16, kManyRays = 64;
 constexpr float kClear = 0.999f;  // share of rays that pass where nothing is in the way
 constexpr float kDoubt = 0.1f;    // what may be visible where no ray passes: 0 of 16 is no proof
+
+void check_memory(size_t links, size_t per_link) {
+  if (Links::bytes(double(links), per_link) > Links::kMostBytes)
+    throw Error(Code::limit, "target_error", fmt::format("more than {} links, which take 2 GiB", links),
+                "a higher target error, or larger patches");
+}
 
 }  // namespace
 
@@ -123,6 +132,7 @@ bool LinkRefinement::drain(Links::Unsorted& kept, size_t per_link, Progress* pro
                  std::span<float>(coefficients).subspan(first * per_link, n * per_link), per_link);
       }
     });
+    check_memory(kept.links.size() + count, per_link);
     const size_t nodes = tree_.nodes().size();
     uint64_t links = 0;
     for (size_t k = 0; k < count; ++k) {

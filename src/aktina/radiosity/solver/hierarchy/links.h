@@ -17,6 +17,11 @@ static_assert(sizeof(Link) == 16);
 
 class Links {
  public:
+  static constexpr double kMostBytes = 1U << 31;  // of unsorted links; as much again while they are sorted
+  static double bytes(double links, size_t coefficients) {
+    return links * double(sizeof(Link) + sizeof(uint32_t) + coefficients * sizeof(float));
+  }
+
   /// @param coefficients  of a link beside its factor; 0 where the factor is all
   explicit Links(size_t coefficients) : per_link_(coefficients) {}
 
@@ -29,7 +34,6 @@ class Links {
   const float* coefficients(uint32_t receiver, size_t k) const {
     return &coefficients_[(first_[receiver] + k) * per_link_];
   }
-  size_t bytes() const { return links_.size() * sizeof(Link) + coefficients_.size() * sizeof(float); }
 
   /// Links in any order, with their receivers.
   struct Unsorted {
