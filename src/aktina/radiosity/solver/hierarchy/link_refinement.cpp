@@ -68,7 +68,7 @@ void LinkRefinement::evaluate(std::span<const Pair> pairs, std::span<Result> res
     if (turned_away(receiver, sender)) continue;
     result.verdict = Verdict::link;
     if (!(light_.brightness(pair.sender) > 0)) continue;
-    const Exchange exchange = transport_.sample(receiver, sender, per_link ? &coefficients[k * per_link] : nullptr);
+    const NodeExchange exchange = transport_.sample(receiver, sender, per_link ? &coefficients[k * per_link] : nullptr);
     result.link = {pair.sender, exchange.factor, exchange.spread, 1};
   }
   look(pairs, results);

@@ -114,7 +114,7 @@ bool Transport::near(const TreePatch& a, const TreePatch& b) {
   return squared_length(a.middle() - b.middle()) < reach * reach;
 }
 
-Exchange Transport::sample(const TreePatch& receiver, const TreePatch& sender, float* coefficients) const {
+NodeExchange Transport::sample(const TreePatch& receiver, const TreePatch& sender, float* coefficients) const {
   const ShapeBasis& to = basis_.of(receiver.triangle);
   const ShapeBasis& from = basis_.of(sender.triangle);
   const size_t rows = to.points.size(), columns = from.points.size();
@@ -122,7 +122,7 @@ Exchange Transport::sample(const TreePatch& receiver, const TreePatch& sender, f
   find_places(receiver, to.points, xs), find_places(sender, from.points, ys);
   float kernel[kMostPoints * kMostPoints], factors[kMostPoints];
   sample_kernel(xs, rows, receiver.normal, ys, columns, sender.normal, float(sender.area), kernel);
-  Exchange exchange;
+  NodeExchange exchange;
   exchange.spread = range_of(receiver, to.points, xs, sender, from.points, ys, kernel, factors);
   if (near(receiver, sender)) {
     Range range;

@@ -12,7 +12,7 @@
 namespace aktina {
 
 /// As if nothing were in between.
-struct Exchange {
+struct NodeExchange {
   float factor = 0;  // mean form factor from the receiving to the sending node
   float spread = 0;  // how far it is from what a link makes of it: an error of form factor
 };
@@ -31,7 +31,7 @@ class Transport {
 
   /// Coefficient [i * sender's functions + j] takes function j of the sender to function i of the receiver.
   /// @param coefficients  of as many; may be null where the basis is constant: the factor is all there is
-  Exchange sample(const TreePatch& receiver, const TreePatch& sender, float* coefficients) const;
+  NodeExchange sample(const TreePatch& receiver, const TreePatch& sender, float* coefficients) const;
 
   /// The same where they are near each other: quarters of quarters, then Lambert's formula, for the kernel is singular
   /// where they touch.
