@@ -53,7 +53,7 @@ Run run(const Cornell& cornell, double most) {
   for (int round = 0; round < 3; ++round) {
     Run one;
     one.seconds = bench::seconds([&] {
-      Hierarchy h(cornell.problem, cornell.surfaces, {.most = most}, 0);
+      LinkedTree h(cornell.problem, cornell.surfaces, {.most = most}, 0);
       for (const double times : {64.0, 16.0, 4.0, 1.0}) {
         h.link(times, nullptr);
         for (int k = 0; k < 3; ++k) h.exchange();

@@ -82,7 +82,7 @@ TEST(WaveletRadiosity, TrianglesShareTheirLightLikeQuadrilaterals) {
 }
 
 double links(const Surfaces& s, const Basis& basis, double most) {
-  Hierarchy h(s.problem, s.surfaces, {.basis = basis, .spread = Transport::Spread::interpolation, .most = most}, 0);
+  LinkedTree h(s.problem, s.surfaces, {.basis = basis, .spread = Transport::Spread::interpolation, .most = most}, 0);
   h.link(4, nullptr), h.exchange(), h.link(1, nullptr);
   return double(h.links().size());
 }

@@ -23,9 +23,9 @@ std::vector<uint32_t> with_ancestors(const SurfaceTree& tree, uint32_t node) {
   return all;
 }
 
-TEST(Hierarchy, EveryTwoLeavesAreLinkedOnce) {
+TEST(LinkedTree, EveryTwoLeavesAreLinkedOnce) {
   const Surfaces s(lit_room(true), 0.5);
-  Hierarchy h(s.problem, s.surfaces, {.most = 2e-3}, 0);
+  LinkedTree h(s.problem, s.surfaces, {.most = 2e-3}, 0);
   for (const double times : {16.0, 4.0, 1.0}) h.link(times, nullptr), h.exchange();
   const SurfaceTree& tree = h.tree();
   std::vector<std::vector<uint32_t>> senders(tree.nodes().size());
@@ -49,9 +49,9 @@ TEST(Hierarchy, EveryTwoLeavesAreLinkedOnce) {
     }
 }
 
-TEST(Hierarchy, PushAndPullKeepEnergy) {
+TEST(LinkedTree, PushAndPullKeepEnergy) {
   const Surfaces s(lit_room(true), 0.3);
-  Hierarchy h(s.problem, s.surfaces, {.most = 1e-4}, 0);
+  LinkedTree h(s.problem, s.surfaces, {.most = 1e-4}, 0);
   h.link(4, nullptr), h.exchange(), h.link(1, nullptr);
   for (int k = 0; k < 3; ++k) {
     h.exchange();
@@ -67,12 +67,12 @@ TEST(Hierarchy, PushAndPullKeepEnergy) {
 }
 
 /// Boxes that touch nothing: no ray decides anything, and each leaf pair has one factor.
-TEST(Hierarchy, WithoutErrorItIsTheMatrixOfItsLeaves) {
+TEST(LinkedTree, WithoutErrorItIsTheMatrixOfItsLeaves) {
   Scene scene = room({2, 1, 1.5f}, Rgb(0.5f));
   scene.materials[1].emission = lambertian_radiance(Radiosity(Rgb(10)));
   const Surfaces s(std::move(scene), 0.7);
   const RadiosityProblem problem = s.green();
-  Hierarchy h(problem, s.surfaces, {.most = 0}, 0);
+  LinkedTree h(problem, s.surfaces, {.most = 0}, 0);
   h.link(1, nullptr), h.exchange(), h.link(1, nullptr), h.exchange(), h.link(1, nullptr);
   for (int k = 0; k < 80; ++k) h.exchange();
   const SurfaceTree& tree = h.tree();
@@ -96,13 +96,13 @@ TEST(Hierarchy, WithoutErrorItIsTheMatrixOfItsLeaves) {
   for (size_t p = 0; p < leaves.size(); ++p) EXPECT_NEAR(h.light().radiosity(leaves[p])[0], b[p], 1e-9 * b[p]);
 }
 
-TEST(Hierarchy, LinksGrowWithLeavesNotWithTheirSquare) {
+TEST(LinkedTree, LinksGrowWithLeavesNotWithTheirSquare) {
   const auto shape = [](double size) {  // a corner, where nodes get the smaller the nearer they are
     Scene scene;
     add_quad(scene, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, Rgb(0.5f), Rgb(1));
     add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.5f), Rgb(1));
     const Surfaces s(std::move(scene), size);
-    Hierarchy h(s.problem, s.surfaces, {.oracle = Oracle::factor, .most = 0.05}, 0);
+    LinkedTree h(s.problem, s.surfaces, {.oracle = Oracle::factor, .most = 0.05}, 0);
     h.link(1, nullptr);
     return std::pair(double(h.links().size()), double(h.leaves()));
   };
@@ -113,7 +113,7 @@ TEST(Hierarchy, LinksGrowWithLeavesNotWithTheirSquare) {
   EXPECT_NEAR(slope, 1, 0.2);
 }
 
-TEST(Hierarchy, SymmetryOfSamplesDoesNotHideASpread) {
+TEST(LinkedTree, SymmetryOfSamplesDoesNotHideASpread) {
   const Basis constants = Basis::polynomials(1);
   const Transport transport(constants, Transport::Spread::range);
   const TreePatch floor{{0, 0, 0}, {0, 0, 3}, {3, 0, 0}, {0, 1, 0}, false, 9};
@@ -135,12 +135,12 @@ TEST(Transport, FactorsAreThoseOfClosedForms) {
 
 /// Uniform light in a closed room is uniform everywhere, whatever stands in it: what is taken for dark because no ray
 /// passed, and what is buried under the box, must not take light away.
-TEST(Hierarchy, RowsSumToOneBehindObstacles) {
+TEST(LinkedTree, RowsSumToOneBehindObstacles) {
   Scene scene = room({2, 2, 2}, Rgb(0), Rgb(1));
   add_box(scene, {0.5f, 0, 0.5f}, {0.5f, 1.2f, 0.5f}, Rgb(0));
   for (Material& material : scene.materials) material.emission = lambertian_radiance(Radiosity(Rgb(1)));
   const Surfaces s(std::move(scene), 0.25);
-  Hierarchy h(s.problem, s.surfaces, {.most = 1e-5}, 0);
+  LinkedTree h(s.problem, s.surfaces, {.most = 1e-5}, 0);
   h.link(4, nullptr), h.exchange(), h.link(1, nullptr), h.exchange();
   const std::vector<double> irradiances = h.light().receivers();
   double mean = 0, area = 0;

@@ -39,8 +39,8 @@ double flux_to_distribute(const RadiosityProblem& p) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(const RadiosityProblem& problem, const ReceiverSurfaces& surfaces, const HierarchyOptions& options,
-                     uint32_t seed)
+LinkedTree::LinkedTree(const RadiosityProblem& problem, const ReceiverSurfaces& surfaces,
+                       const HierarchyOptions& options, uint32_t seed)
     : problem_(problem),
       basis_(options.basis),
       tree_(make_tree(surfaces.layout(), basis_, options.leaf_size)),
@@ -50,7 +50,7 @@ Hierarchy::Hierarchy(const RadiosityProblem& problem, const ReceiverSurfaces& su
       links_(coefficients_of(basis_)),
       most_(options.most * (options.oracle == Oracle::factor ? 1 : flux_to_distribute(problem))) {}
 
-void Hierarchy::link(double times, Progress* progress) {
+void LinkedTree::link(double times, Progress* progress) {
   if (!linked_)
     refinement_.link_roots(links_, times * most_, most_, progress);
   else
@@ -58,7 +58,7 @@ void Hierarchy::link(double times, Progress* progress) {
   linked_ = true;
 }
 
-std::vector<double> Hierarchy::gather() const {
+std::vector<double> LinkedTree::gather() const {
   const size_t per_node = light_.per_node(), functions = light_.functions(), bands = problem_.bands;
   std::vector<double> gathered(tree_.nodes().size() * per_node, 0);
   parallel_for(links_.nodes(), kGrain, [&](size_t begin, size_t end) {
@@ -88,7 +88,7 @@ std::vector<double> Hierarchy::gather() const {
   return gathered;
 }
 
-double Hierarchy::exchange() {
+double LinkedTree::exchange() {
   const std::vector<double> before = light_.radiosities;
   light_.push_and_pull(gather());
   Sum changed;
@@ -101,7 +101,7 @@ double Hierarchy::exchange() {
   return changed.value();
 }
 
-size_t Hierarchy::leaves() const {
+size_t LinkedTree::leaves() const {
   return tree_.roots().size() + (tree_.nodes().size() - tree_.roots().size()) / 4 * 3;
 }
 

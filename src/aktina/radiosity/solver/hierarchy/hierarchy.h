@@ -19,11 +19,11 @@ struct HierarchyOptions {
   double leaf_size = 1;
 };
 
-class Hierarchy {
+class LinkedTree {
  public:
   /// The arguments must outlive this. @throws Error limit (too many faces)
-  Hierarchy(const RadiosityProblem& problem, const ReceiverSurfaces& surfaces, const HierarchyOptions& options,
-            uint32_t seed);
+  LinkedTree(const RadiosityProblem& problem, const ReceiverSurfaces& surfaces, const HierarchyOptions& options,
+             uint32_t seed);
 
   /// Links so that none exceeds `times` what they may in the end. In falling order. Cancelled: what there was stays.
   void link(double times, Progress* progress);

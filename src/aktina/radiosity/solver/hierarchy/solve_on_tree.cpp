@@ -14,7 +14,7 @@ constexpr int kExchanges = 3;                 // before links are refined again
 
 class TreeSolve {
  public:
-  TreeSolve(const RadiosityProblem& problem, Hierarchy& hierarchy, const SolverControl& control)
+  TreeSolve(const RadiosityProblem& problem, LinkedTree& hierarchy, const SolverControl& control)
       : problem_(problem), hierarchy_(hierarchy), control_(control) {
     state_.emitted = problem.emitted();
   }
@@ -64,7 +64,7 @@ class TreeSolve {
   }
 
   const RadiosityProblem& problem_;
-  Hierarchy& hierarchy_;
+  LinkedTree& hierarchy_;
   const SolverControl& control_;
   RadiosityState state_;
   double changed_ = 0;
@@ -78,7 +78,7 @@ RadiosityState solve_on_tree(std::string_view method, const RadiosityProblem& pr
   if (!surfaces)
     throw Error(Code::unsupported, std::string(method), "cuts surfaces itself, and these form factors have none",
                 "formfactor=ray_cast, or a solver for given factors as matrix");
-  Hierarchy hierarchy(problem, *surfaces, options, control.seed);
+  LinkedTree hierarchy(problem, *surfaces, options, control.seed);
   return TreeSolve(problem, hierarchy, control).run();
 }
 
