@@ -33,6 +33,7 @@ class MeshRepair {
     }
     mesh_.triangles.resize(kept);
     if (!mesh_.triangle_face.empty()) mesh_.triangle_face.resize(kept);
+    forget_plain_faces();
     warn(beyond, "triangles with vertex indices out of range were dropped");
     warn(unusable, "triangles with positions that are not finite or beyond 1e15 m were dropped");
     warn(flat, "triangles without area were dropped");
@@ -97,6 +98,14 @@ class MeshRepair {
   }
 
  private:
+  /// Where each triangle is its own face, none are stated.
+  void forget_plain_faces() {
+    auto& faces = mesh_.triangle_face;
+    for (uint32_t i = 0; i < faces.size(); ++i)
+      if (faces[i] != i) return;
+    if (mesh_.face_count == faces.size()) faces = {};
+  }
+
   bool has_no_area(const std::array<uint32_t, 3>& t) const {
     const Vec3d a(mesh_.positions[t[0]]);
     const Vec3d n = cross(Vec3d(mesh_.positions[t[1]]) - a, Vec3d(mesh_.positions[t[2]]) - a);

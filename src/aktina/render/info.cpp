@@ -291,21 +291,34 @@ FileInfo luminaire_info(const Path& path) {
   return {text, dump(json), l.warnings};
 }
 
+/// All meshes of a node together.
+MeshCheck check_object(const Scene& scene, std::span<const Instance* const> instances) {
+  size_t vertices = 0, faces = 0;
+  for (const Instance* instance : instances) {
+    const Mesh& mesh = scene.meshes[size_t(instance->mesh)];
+    vertices += mesh.positions.size(), faces += mesh.triangles.size();
+  }
+  std::vector<Point3> positions;
+  std::vector<std::array<uint32_t, 3>> triangles;
+  positions.reserve(vertices), triangles.reserve(faces);
+  for (const Instance* instance : instances) {
+    const Mesh& mesh = scene.meshes[size_t(instance->mesh)];
+    const auto first = uint32_t(positions.size());
+    for (const Point3 p : mesh.positions) positions.push_back(transform_point(instance->to_world, p));
+    for (const auto& t : mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return check_mesh(positions, triangles);
+}
+
 }  // namespace
 
 std::vector<ObjectCheck> check_objects(const Scene& scene) {
-  std::map<int, std::pair<std::vector<Point3>, std::vector<std::array<uint32_t, 3>>>> objects;
-  for (const Instance& instance : scene.instances) {
-    if (instance.mesh < 0) continue;
-    const Mesh& mesh = scene.meshes[size_t(instance.mesh)];
-    auto& [positions, triangles] = objects[instance.node];
-    const auto first = uint32_t(positions.size());
-    for (const Point3 p : mesh.positions) positions.push_back(transform_point(instance.to_world, p));
-    for (const auto& t : mesh.triangles) triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  }
+  std::map<int, std::vector<const Instance*>> objects;  // by node
+  for (const Instance& instance : scene.instances)
+    if (instance.mesh >= 0) objects[instance.node].push_back(&instance);
   std::vector<ObjectCheck> checks;
-  for (const auto& [node, shape] : objects)
-    checks.push_back({node >= 0 ? scene.nodes[size_t(node)].name : "", check_mesh(shape.first, shape.second)});
+  for (const auto& [node, instances] : objects)
+    checks.push_back({node >= 0 ? scene.nodes[size_t(node)].name : "", check_object(scene, instances)});
   return checks;
 }
 
@@ -327,9 +340,11 @@ double emissive_flux(const Scene& scene) {
 }
 
 FileInfo file_info(const Path& path, const ImportOptions& options) {
-  const std::vector<uint8_t> bytes = read_file(path, kLargestFile);
-  if (detect_image_format(bytes) != ImageFormat::unknown) return image_info(bytes, path);
-  if (is_luminaire(bytes, lower_extension(path))) return luminaire_info(path);
+  {
+    const std::vector<uint8_t> bytes = read_file(path, kLargestFile);
+    if (detect_image_format(bytes) != ImageFormat::unknown) return image_info(bytes, path);
+    if (is_luminaire(bytes, lower_extension(path))) return luminaire_info(path);
+  }  // large scenes need the memory
   return scene_info(path, options);
 }
 

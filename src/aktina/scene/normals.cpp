@@ -1,25 +1,25 @@
 // Vertex normals of a whole mesh: which facets are one fan, and which vertices must be doubled.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "aktina/scene/corners.h"
 #include "aktina/scene/mesh.h"
-#include "aktina/scene/weld.h"
 
 namespace aktina {
 namespace {
 
-/// A corner of a triangle at the vertex in hand.
+/// A corner of a triangle at the place in hand.
 struct Corner {
   uint32_t id;              // 3 * triangle + corner
   uint32_t face;            // source polygon
-  uint32_t next, previous;  // welded vertices that follow and precede it
+  uint32_t next, previous;  // places that follow and precede it
   uint32_t fan;             // representative: index into the list of corners
+  Vec3d normal;             // of its face: unit, or 0
 };
 
-/// An edge that leaves (or enters) the vertex in hand.
+/// An edge that leaves (or enters) the place in hand.
 struct Spoke {
-  uint32_t other;   // welded vertex at the far end
+  uint32_t other;   // place at the far end
   uint32_t corner;  // index into the list of corners
   bool leaves;
 };
@@ -27,23 +27,18 @@ struct Spoke {
 class NormalGenerator {
  public:
   NormalGenerator(Mesh& mesh, float crease, FacetWeighting weighting)
-      : mesh_(mesh), weighting_(weighting), least_cosine_(std::cos(double(crease) + 1e-4)) {
-    const std::vector<uint32_t> place = weld(mesh.positions);
-    places_ = mesh.triangles;
-    for (auto& triangle : places_)
-      for (uint32_t& vertex : triangle) vertex = place[vertex];
-    face_normals_.assign(mesh.faces(), Vec3d(0));
-    for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      face_normals_[mesh.face_of(t)] += cross(edge(t, 0, 1), edge(t, 0, 2));
-    for (Vec3d& n : face_normals_) n = length(n) > 0 ? normalize(n) : Vec3d(0);
+      : mesh_(mesh),
+        weighting_(weighting),
+        least_cosine_(std::cos(double(crease) + 1e-4)),
+        meeting_(mesh.positions, mesh.triangles) {
+    if (!mesh.triangle_face.empty()) sum_faces();
     mesh.normals.assign(mesh.positions.size(), Vec3(0, 1, 0));
     taken_.assign(mesh.positions.size(), false);
   }
 
   void run() {
-    collect_corners();
-    for (size_t i = 0; i + 1 < first_corner_.size(); ++i) {
-      load(first_corner_[i], first_corner_[i + 1]);
+    for (size_t place = 0; place < meeting_.places(); ++place) {
+      load(meeting_.at(place));
       if (corners_.empty()) continue;
       join_fans();
       assign_normals();
@@ -52,28 +47,27 @@ class NormalGenerator {
 
  private:
   Vec3d edge(uint32_t t, uint32_t from, uint32_t to) const {
-    return Vec3d(mesh_.positions[places_[t][to]]) - Vec3d(mesh_.positions[places_[t][from]]);
+    const auto& triangle = mesh_.triangles[t];
+    return Vec3d(mesh_.positions[triangle[to]]) - Vec3d(mesh_.positions[triangle[from]]);
   }
+  Vec3d normal_of_triangle(uint32_t t) const { return cross(edge(t, 0, 1), edge(t, 0, 2)); }
   uint32_t& vertex_of(uint32_t corner) { return mesh_.triangles[corner / 3][corner % 3]; }
-  bool degenerate(const Corner& c) const { return c.next == c.previous || face_normals_[c.face] == Vec3d(0); }
+  uint32_t place_of(uint32_t corner) { return meeting_.place(vertex_of(corner)); }
+  static bool degenerate(const Corner& c) { return c.next == c.previous || c.normal == Vec3d(0); }
 
-  /// Corners sorted by the place they stand in (counting sort).
-  void collect_corners() {
-    first_corner_.assign(mesh_.positions.size() + 1, 0);
-    for (const auto& triangle : places_)
-      for (const uint32_t place : triangle) ++first_corner_[place + 1];
-    std::partial_sum(first_corner_.begin(), first_corner_.end(), first_corner_.begin());
-    sorted_corners_.resize(3 * places_.size());
-    std::vector<uint32_t> cursor(first_corner_.begin(), first_corner_.end() - 1);
-    for (uint32_t corner = 0; corner < sorted_corners_.size(); ++corner)
-      sorted_corners_[cursor[places_[corner / 3][corner % 3]]++] = corner;
+  /// Polygons of several triangles: the sum of theirs.
+  void sum_faces() {
+    face_normals_.assign(mesh_.faces(), Vec3d(0));
+    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) face_normals_[mesh_.face_of(t)] += normal_of_triangle(t);
   }
 
-  void load(uint32_t begin, uint32_t end) {
+  void load(std::span<const uint32_t> corners) {
     corners_.clear();
-    for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t id = sorted_corners_[i], t = id / 3, k = id % 3;
-      corners_.push_back({id, mesh_.face_of(t), places_[t][(k + 1) % 3], places_[t][(k + 2) % 3], uint32_t(i - begin)});
+    for (const uint32_t id : corners) {
+      const uint32_t t = id / 3, k = id % 3, face = mesh_.face_of(t);
+      const Vec3d n = face_normals_.empty() ? normal_of_triangle(t) : face_normals_[face];
+      corners_.push_back({id, face, place_of(3 * t + (k + 1) % 3), place_of(3 * t + (k + 2) % 3),
+                          uint32_t(corners_.size()), length(n) > 0 ? normalize(n) : Vec3d(0)});
     }
   }
 
@@ -100,8 +94,7 @@ class NormalGenerator {
     for (uint32_t i = 0; i < corners_.size(); ++i) corners_[i].fan = fan_of(i);
   }
   bool smooth(uint32_t a, uint32_t b) const {
-    const uint32_t face_a = corners_[a].face, face_b = corners_[b].face;
-    return face_a == face_b || dot(face_normals_[face_a], face_normals_[face_b]) >= least_cosine_;
+    return corners_[a].face == corners_[b].face || dot(corners_[a].normal, corners_[b].normal) >= least_cosine_;
   }
 
   void assign_normals() {
@@ -116,7 +109,7 @@ class NormalGenerator {
   }
 
   Vec3d normal_of(std::span<const Corner> fan) {
-    const Vec3d flat = face_normals_[fan.front().face];
+    const Vec3d flat = fan.front().normal;
     if (fan.front().face == fan.back().face) return flat == Vec3d(0) ? Vec3d(0, 1, 0) : flat;
     facets_.clear();
     for (size_t i = 0, end = 0; i < fan.size(); i = end) {
@@ -139,7 +132,7 @@ class NormalGenerator {
       }
     if (first && last) {
       const FacetCorner whole{edge_to_next(*first), edge_to_previous(*last)};
-      if (dot(cross(whole.next, whole.previous), face_normals_[first->face]) > 0) return facets_.push_back(whole);
+      if (dot(cross(whole.next, whole.previous), first->normal) > 0) return facets_.push_back(whole);
     }
     for (const Corner& c : face) facets_.push_back({edge_to_next(c), edge_to_previous(c)});
   }
@@ -165,6 +158,7 @@ class NormalGenerator {
     };
     again(mesh_.positions), again(mesh_.normals), again(mesh_.tangents);
     again(mesh_.uv[0]), again(mesh_.uv[1]), again(mesh_.colours);
+    meeting_.add_vertex_at(vertex);
     return uint32_t(mesh_.positions.size()) - 1;
   }
 
@@ -173,9 +167,8 @@ class NormalGenerator {
   Mesh& mesh_;
   FacetWeighting weighting_;
   double least_cosine_;
-  std::vector<std::array<uint32_t, 3>> places_;  // triangles over welded vertices
-  std::vector<Vec3d> face_normals_;              // unit, or 0
-  std::vector<uint32_t> first_corner_, sorted_corners_;
+  CornersByPlace meeting_;
+  std::vector<Vec3d> face_normals_;  // twice the area long; empty: each triangle is a face
   std::vector<bool> taken_;
   std::vector<Corner> corners_;
   std::vector<Spoke> spokes_;

@@ -61,8 +61,8 @@ class PlyMesh {
   }
 
   void add(const Element& element, const Entry& entry) {
-    if (element.name == "vertex") add_vertex(entry);
-    if (element.name == "face" && face_ >= 0) add_face(entry);
+    if (element.name == "vertex") add_vertex(element, entry);
+    if (element.name == "face" && face_ >= 0) add_face(element, entry);
     if (element.name == "tristrips" && strip_ >= 0) add_strips(entry.lists[size_t(strip_)]);
   }
 
@@ -88,7 +88,8 @@ class PlyMesh {
     face_colour_ = ColourColumns(e);
   }
 
-  void add_vertex(const Entry& entry) {
+  void add_vertex(const Element& element, const Entry& entry) {
+    if (mesh_.positions.empty()) mesh_.positions.reserve(element.count);
     const auto value = [&](int column) { return float(entry.values[size_t(column)]); };
     mesh_.positions.emplace_back(value(position_[0]), value(position_[1]), value(position_[2]));
     if (all({normal_[0], normal_[1], normal_[2]}))
@@ -99,7 +100,8 @@ class PlyMesh {
 
   bool within(double index) const { return index >= 0 && index < double(mesh_.positions.size()); }
 
-  void add_face(const Entry& entry) {
+  void add_face(const Element& element, const Entry& entry) {
+    if (mesh_.triangles.empty()) mesh_.triangles.reserve(element.count), mesh_.triangle_face.reserve(element.count);
     const std::vector<double>& corners = entry.lists[size_t(face_)];
     if (corners.size() < 3) return void(++small_);
     outline_.clear();
