@@ -293,6 +293,10 @@ FileInfo luminaire_info(const Path& path) {
 
 /// All meshes of a node together.
 MeshCheck check_object(const Scene& scene, std::span<const Instance* const> instances) {
+  if (instances.size() == 1 && instances[0]->to_world == Mat4(1)) {  // large scans need no copy
+    const Mesh& mesh = scene.meshes[size_t(instances[0]->mesh)];
+    return check_mesh(mesh.positions, mesh.triangles);
+  }
   size_t vertices = 0, faces = 0;
   for (const Instance* instance : instances) {
     const Mesh& mesh = scene.meshes[size_t(instance->mesh)];

@@ -43,12 +43,13 @@ class NormalGenerator {
       join_fans();
       assign_normals();
     }
+    append_doubled();
   }
 
  private:
   Vec3d edge(uint32_t t, uint32_t from, uint32_t to) const {
-    const auto& triangle = mesh_.triangles[t];
-    return Vec3d(mesh_.positions[triangle[to]]) - Vec3d(mesh_.positions[triangle[from]]);
+    const auto at = [&](uint32_t k) { return Vec3d(mesh_.positions[meeting_.place(mesh_.triangles[t][k])]); };
+    return at(to) - at(from);
   }
   Vec3d normal_of_triangle(uint32_t t) const { return cross(edge(t, 0, 1), edge(t, 0, 2)); }
   uint32_t& vertex_of(uint32_t corner) { return mesh_.triangles[corner / 3][corner % 3]; }
@@ -140,7 +141,7 @@ class NormalGenerator {
   Vec3d edge_to_previous(const Corner& c) const { return edge(c.id / 3, c.id % 3, (c.id % 3 + 2) % 3); }
 
   /// Writes a fan's normal to its vertices; a vertex that another fan has taken is doubled.
-  void give(std::span<Corner> fan, Vec3 normal) {
+  void give(std::span<Corner> fan, Vec3 value) {
     std::sort(fan.begin(), fan.end(),
               [&](const Corner& a, const Corner& b) { return vertex_of(a.id) < vertex_of(b.id); });
     for (size_t i = 0, end = 0; i < fan.size(); i = end) {
@@ -148,18 +149,31 @@ class NormalGenerator {
       while (end < fan.size() && vertex_of(fan[end].id) == old) ++end;
       const uint32_t vertex = taken_[old] ? doubled(old) : old;
       taken_[old] = true;
-      mesh_.normals[vertex] = normal;
+      normal(vertex) = value;
       for (size_t k = i; k < end; ++k) vertex_of(fan[k].id) = vertex;
     }
   }
   uint32_t doubled(uint32_t vertex) {
-    const auto again = [vertex](auto& list) {
-      if (!list.empty()) list.push_back(list[vertex]);
-    };
-    again(mesh_.positions), again(mesh_.normals), again(mesh_.tangents);
-    again(mesh_.uv[0]), again(mesh_.uv[1]), again(mesh_.colours);
     meeting_.add_vertex_at(vertex);
-    return uint32_t(mesh_.positions.size()) - 1;
+    doubled_.push_back(vertex);
+    doubled_normals_.push_back({});
+    return uint32_t(mesh_.positions.size() + doubled_.size() - 1);
+  }
+  Vec3& normal(uint32_t vertex) {
+    const size_t own = mesh_.normals.size();
+    return vertex < own ? mesh_.normals[vertex] : doubled_normals_[vertex - own];
+  }
+
+  /// All doubled vertices at once: their number is known now.
+  void append_doubled() {
+    const auto again = [this](auto& list) {
+      if (list.empty()) return;
+      list.reserve(list.size() + doubled_.size());
+      for (const uint32_t vertex : doubled_) list.push_back(list[vertex]);
+    };
+    again(mesh_.positions), again(mesh_.tangents), again(mesh_.uv[0]), again(mesh_.uv[1]), again(mesh_.colours);
+    mesh_.normals.reserve(mesh_.normals.size() + doubled_.size());
+    mesh_.normals.insert(mesh_.normals.end(), doubled_normals_.begin(), doubled_normals_.end());
   }
 
   static constexpr size_t kLargestPolygonFan = 64;  // triangles of one polygon at one vertex that are looked at as one
@@ -170,6 +184,8 @@ class NormalGenerator {
   CornersByPlace meeting_;
   std::vector<Vec3d> face_normals_;  // twice the area long; empty: each triangle is a face
   std::vector<bool> taken_;
+  std::vector<uint32_t> doubled_;  // the vertices that others repeat
+  std::vector<Vec3> doubled_normals_;
   std::vector<Corner> corners_;
   std::vector<Spoke> spokes_;
   std::vector<FacetCorner> facets_;

@@ -8,7 +8,7 @@ namespace aktina {
 
 std::vector<uint32_t> weld(std::span<const Point3> points) {
   constexpr uint32_t kFree = 0xffffffff;
-  const size_t slots = std::bit_ceil(points.size() * 2 + 1);
+  const size_t slots = std::bit_ceil(points.size() + points.size() / 3 + 1);
   std::vector<uint32_t> table(slots, kFree), first(points.size());
   const auto bits = [](float x) { return std::bit_cast<uint32_t>(x + 0.0f); };
   for (size_t i = 0; i < points.size(); ++i) {
