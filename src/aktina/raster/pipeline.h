@@ -10,9 +10,11 @@
 
 namespace aktina {
 
-/// Coefficients where no rays are traced: mirrors show the even ambient light.
+/// Coefficients where no rays are traced: mirrors show the even ambient light, and glass scatters what it would let
+/// through, as viewers without refraction draw it.
 inline Surface without_rays(Surface s) {
-  s.ka += s.kr;
+  s.ka += s.kr + s.kt, s.kd += s.kt;
+  s.transmission = 0;
   return s;
 }
 

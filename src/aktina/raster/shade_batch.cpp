@@ -39,7 +39,7 @@ void colour_blank(const Pipeline& pipeline, ShadeBatch& b) {
     if (physical && b.seen[i] != kNobody) {
       const Surface& s = b.whole[i];
       const Rgb f0 = normal_reflectance(s);
-      kd = s.base * ((1 - s.metallic) * (1 - s.transmission));
+      kd = s.base * (1 - s.metallic);
       for (int k = 0; k < 3; ++k) ks[k] = coat[k] > 0 ? f0[k] / coat[k] : 0;
     }
     for (int k = 0; k < 3; ++k) {

@@ -78,9 +78,10 @@ void apply(const RasterFrame& frame, const Pipeline& pipeline, bool layers, Shad
   const Mesh& mesh = *p.part->mesh;
   const Vec2 uv[2] = {between(mesh.uv[0], p, Vec2(0)), between(mesh.uv[1], p, Vec2(0))};
   const MaterialPoint point = evaluate(frame.scene, m, uv, between(mesh.colours, p, Vec4(1)));
-  put(b.ka, i, without_rays(point.surface).ka), put(b.kd, i, point.surface.kd), put(b.ks, i, point.surface.ks);
-  b.exponent[i] = point.surface.exponent;
-  if (pipeline.light.reads_whole_surface()) b.whole[i] = point.surface;
+  const Surface surface = without_rays(point.surface);
+  put(b.ka, i, surface.ka), put(b.kd, i, surface.kd), put(b.ks, i, surface.ks);
+  b.exponent[i] = surface.exponent;
+  if (pipeline.light.reads_whole_surface()) b.whole[i] = surface;
   b.alpha[i] = point.alpha;
   put(b.emission, i, pipeline.emits_on(source.front) ? point.emission.v : Rgb());
   const float side = source.front ? 1.0f : -1.0f;
