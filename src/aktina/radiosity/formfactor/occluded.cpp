@@ -153,7 +153,7 @@ class HiddenArea {
     double area = 0;
     for (const Contour& cell : pair.cells)
       for (const SurfaceSample& s : gauss_points(cell, pair.receiver.normal, 1)) area += s.area;
-    per_area_ = tolerance / area;
+    per_area_ = tolerance / area, least_area_ = kLeastShare * area;
     for (const Contour& cell : pair.cells)
       for (size_t i = 1; i + 1 < cell.size(); ++i) add({cell[0], cell[i], cell[i + 1]}, halvings);
   }
@@ -180,7 +180,7 @@ class HiddenArea {
     }
     const double coarse = gauss(triangle, 3), fine = gauss(triangle, 5), difference = std::abs(fine - coarse);
     const double area = 0.5 * length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-    if (difference <= per_area_ * area || points_ > kMostPoints) {
+    if (difference <= per_area_ * area || area <= least_area_ || points_ > kMostPoints) {
       hidden_ += fine, error_ += difference;
       return;
     }
@@ -197,8 +197,11 @@ class HiddenArea {
     add({c, 0.5 * (a + b), b}, halvings);
   }
 
+  // Of the receiver; what is smaller changes no digit, however its integrand jumps, and recursion must end.
+  static constexpr double kLeastShare = 1e-13;
+
   const Pair& pair_;
-  double per_area_, hidden_ = 0, error_ = 0;
+  double per_area_, least_area_, hidden_ = 0, error_ = 0;
   size_t points_ = 0;
   bool visible_ = false;
 };
