@@ -152,7 +152,11 @@ void cut_at_contacts(SceneFaces& faces, double patch_size, Warnings& warnings) {
   std::vector<Contact> lines = find_contacts(flat, kTouch * diagonal, kShortest * patch_size, &too_many);
   if (too_many) warnings.add("lines of contact are left out of the mesh: too many surfaces are near each other");
   keep_longest(lines, size_t(kMostPerPatch * faces.area() / (patch_size * patch_size)) + 1000, warnings);
+  cut_along(faces, flat, lines);
+}
 
+void cut_along(SceneFaces& faces, const std::vector<FlatFace>& flat, const std::vector<Contact>& lines) {
+  const double diagonal = double(bounds(faces).diagonal());
   std::vector<size_t> first;  // of each face that is cut
   for (size_t i = 0; i < lines.size(); ++i)
     if (i == 0 || lines[i].face != lines[i - 1].face) first.push_back(i);

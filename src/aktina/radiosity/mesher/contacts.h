@@ -21,6 +21,9 @@ struct Contact {
 /// @return nothing where more than some 50 million pairs of faces are near each other; `*too_many` says so
 std::vector<Contact> find_contacts(const std::vector<FlatFace>& faces, double touch, double shortest, bool* too_many);
 
+/// Cuts faces along lines on them. @param flat  flat_faces(faces); @param lines  sorted by face
+void cut_along(SceneFaces& faces, const std::vector<FlatFace>& flat, const std::vector<Contact>& lines);
+
 /// Cuts faces along their contacts. Lines shorter than a sixteenth of a patch are left out, and the shortest where
 /// there are more of them than four times the patches that the surfaces' area makes: counted in `warnings`. Time: n log
 /// n in the faces and contacts. @param patch_size  m
