@@ -155,7 +155,7 @@ class ViewFactors(ProgramTest):
         self.assertIn("roof", self.expect_error("input", *words, "-o", "G.npz"))
 
     def test_memory_is_foreseen(self):
-        error = self.expect_error("limit", "viewfactors", "cube.obj", "-o", "F.npz", "--max-memory", "1e-6")
+        error = self.expect_error("limit", "viewfactors", "cube.obj", "-o", "F.npz", "--max-memory", "1e-7")
         self.assertIn("fit", error)
         self.assertFalse((self.folder / "F.npz").exists())
 
