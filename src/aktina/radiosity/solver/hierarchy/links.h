@@ -32,7 +32,7 @@ class Links {
   }
   /// Of the k-th of them.
   const float* coefficients(uint32_t receiver, size_t k) const {
-    return &coefficients_[(first_[receiver] + k) * per_link_];
+    return coefficients_.data() + (first_[receiver] + k) * per_link_;
   }
 
   /// Links in any order, with their receivers.
