@@ -2,56 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "aktina/scene/weld.h"
 
 namespace aktina {
 namespace {
 
-constexpr float kMostCells = 512;  // along an axis
+constexpr size_t kLeaf = 8;  // points that are looked at one by one
 
 }  // namespace
 
+/// What is searched for: p(t) = start + t along.
+struct Junctions::Edge {
+  Point3 a, b;
+  Vec3d start, along;
+  double squared, tolerance, margin;  // m^2, m, share of the length
+  std::vector<std::pair<double, Point3>>& found;
+
+  void test(Point3 p) const {
+    const Vec3d to = Vec3d(p) - start;
+    const double t = dot(to, along) / squared;
+    if (!(t > margin && t < 1 - margin) || p == a || p == b) return;
+    if (squared_length(to - t * along) <= tolerance * tolerance) found.emplace_back(t, p);
+  }
+};
+
 Junctions::Junctions(std::span<const Point3> points) {
   const std::vector<uint32_t> same = weld(points);
-  std::vector<Point3> unique;
+  Bounds bounds;
   for (size_t i = 0; i < points.size(); ++i)
-    if (same[i] == i && is_finite(points[i])) unique.push_back(points[i]), bounds_.add(points[i]);
-  if (unique.empty()) return;
-  tolerance_ = kJunctionTolerance * bounds_.diagonal();
-  const Vec3 size = glm::max(bounds_.size(), Vec3(1e-3f * bounds_.diagonal() + 1e-30f));
-  const float cell = std::cbrt(size.x * size.y * size.z / float(unique.size()));
-  count_ = Cell(glm::clamp(size / cell, Vec3(1), Vec3(kMostCells)));
-  per_metre_ = Vec3(count_) / size;
-
-  first_.assign(size_t(count_.x) * size_t(count_.y) * size_t(count_.z) + 1, 0);
-  for (const Point3 p : unique) ++first_[index(cell_of(p)) + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  std::vector<uint32_t> cursor(first_.begin(), first_.end() - 1);
-  points_.resize(unique.size());
-  for (const Point3 p : unique) points_[cursor[index(cell_of(p))]++] = p;
+    if (same[i] == i && is_finite(points[i])) points_.push_back(points[i]), bounds.add(points[i]);
+  if (points_.empty()) return;
+  tolerance_ = kJunctionTolerance * bounds.diagonal();
+  axes_.resize(points_.size());
+  build(0, points_.size());
 }
 
-Junctions::Cell Junctions::cell_of(Point3 p) const {
-  return glm::clamp(Cell((p - bounds_.low) * per_metre_), Cell(0), count_ - 1);
-}
-
-/// Points near the piece of the edge between two parameters: halved until its box touches few cells.
-void Junctions::search(Point3 a, Point3 b, float from, float to, std::vector<uint32_t>& found) const {
+void Junctions::build(size_t begin, size_t end) {
+  if (end - begin <= kLeaf) return;
   Bounds box;
-  box.add(a + (b - a) * from), box.add(a + (b - a) * to);
-  const Cell low = cell_of(box.low - tolerance_), high = cell_of(box.high + tolerance_), span = high - low;
-  if (std::max({span.x, span.y, span.z}) > 2) {
-    const float middle = 0.5f * (from + to);
-    search(a, b, from, middle, found);
-    search(a, b, middle, to, found);
+  for (size_t i = begin; i < end; ++i) box.add(points_[i]);
+  const Vec3 size = box.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const size_t middle = (begin + end) / 2;
+  const auto at = [&](size_t i) { return points_.begin() + std::ptrdiff_t(i); };
+  std::nth_element(at(begin), at(middle), at(end), [&](Point3 l, Point3 r) { return l[axis] < r[axis]; });
+  axes_[middle] = uint8_t(axis);
+  build(begin, middle);
+  build(middle + 1, end);
+}
+
+/// Points of a range near the piece of the edge between two parameters.
+void Junctions::search(size_t begin, size_t end, const Edge& edge, double from, double to) const {
+  if (end - begin <= kLeaf) {
+    for (size_t i = begin; i < end; ++i) edge.test(points_[i]);
     return;
   }
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
-      for (int x = low.x; x <= high.x; ++x)
-        for (uint32_t i = first_[index({x, y, z})]; i < first_[index({x, y, z}) + 1]; ++i) found.push_back(i);
+  const size_t middle = (begin + end) / 2;
+  const int axis = axes_[middle];
+  const double split = double(points_[middle][axis]), slope = edge.along[axis];
+  const double at_from = edge.start[axis] + from * slope, at_to = edge.start[axis] + to * slope;
+  const double low = std::min(at_from, at_to) - edge.tolerance, high = std::max(at_from, at_to) + edge.tolerance;
+  edge.test(points_[middle]);
+  const auto cut = [&](double plane) { return std::clamp((plane - edge.start[axis]) / slope, from, to); };
+  const bool crosses = at_from != at_to;
+  if (low <= split) {  // the part of the piece below the plane, and a little more
+    const double t = crosses && high > split ? cut(split + edge.tolerance) : slope > 0 ? to : from;
+    slope > 0 ? search(begin, middle, edge, from, t) : search(begin, middle, edge, t, to);
+  }
+  if (high >= split) {
+    const double t = crosses && low < split ? cut(split - edge.tolerance) : slope > 0 ? from : to;
+    slope > 0 ? search(middle + 1, end, edge, t, to) : search(middle + 1, end, edge, from, t);
+  }
 }
 
 void Junctions::on_edge(Point3 a, Point3 b, std::vector<Point3>& found) const {
@@ -61,20 +83,13 @@ void Junctions::on_edge(Point3 a, Point3 b, std::vector<Point3>& found) const {
     std::reverse(found.begin(), found.end());
     return;
   }
-  const Vec3d start(a), edge = Vec3d(b) - start;
-  const double squared = squared_length(edge), margin = double(tolerance_) / std::sqrt(squared);
+  const Vec3d start(a), along = Vec3d(b) - start;
+  const double squared = squared_length(along), margin = double(tolerance_) / std::sqrt(squared);
   if (points_.empty() || !(squared > 0)) return;
-  std::vector<uint32_t> near;
-  search(a, b, 0, 1, near);
   std::vector<std::pair<double, Point3>> on;
-  for (const uint32_t i : near) {
-    const Vec3d to = Vec3d(points_[i]) - start;
-    const double t = dot(to, edge) / squared;
-    if (!(t > margin && t < 1 - margin) || points_[i] == a || points_[i] == b) continue;
-    if (squared_length(to - t * edge) <= double(tolerance_) * double(tolerance_)) on.emplace_back(t, points_[i]);
-  }
+  search(0, points_.size(), {a, b, start, along, squared, double(tolerance_), margin, on}, 0, 1);
   std::sort(on.begin(), on.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
-  double last = 0;  // what was found twice, at the ends of two pieces, comes once
+  double last = 0;  // of points closer than the tolerance one counts
   for (const auto& [t, p] : on)
     if (t > last + margin) found.push_back(p), last = t;
 }

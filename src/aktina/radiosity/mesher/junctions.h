@@ -12,6 +12,8 @@ namespace aktina {
 /// Of the scene's diagonal: what is nearer to an edge lies on it.
 inline constexpr float kJunctionTolerance = 1e-6f;
 
+/// Points in a tree of halves (J. L. Bentley, "Multidimensional Binary Search Trees Used for Associative Searching",
+/// CACM 18(9), 1975), so that crowds of tiny things in a large scene cost no more than things of one size.
 class Junctions {
  public:
   /// @param points  all vertices of the scene
@@ -21,16 +23,12 @@ class Junctions {
   void on_edge(Point3 a, Point3 b, std::vector<Point3>& found) const;
 
  private:
-  using Cell = glm::ivec3;
-  Cell cell_of(Point3 p) const;
-  size_t index(Cell c) const { return (size_t(c.z) * size_t(count_.y) + size_t(c.y)) * size_t(count_.x) + size_t(c.x); }
-  void search(Point3 a, Point3 b, float from, float to, std::vector<uint32_t>& found) const;
+  struct Edge;
+  void build(size_t begin, size_t end);
+  void search(size_t begin, size_t end, const Edge& edge, double from, double to) const;
 
-  std::vector<Point3> points_;   // each place once, sorted by cell
-  std::vector<uint32_t> first_;  // of each cell
-  Bounds bounds_;
-  Cell count_{1};
-  Vec3 per_metre_{0};  // cells
+  std::vector<Point3> points_;  // each place once; the one in the middle of a range divides it
+  std::vector<uint8_t> axes_;   // along which
   float tolerance_ = 0;
 };
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kParallelogram = 1e-4f;  // relative: triangles that are nobody's polygon join to parallelograms only
 constexpr float kPlanar = 1e-6f;         // 1 - cosine
+constexpr float kRounding = 0x1p-22f;    // of coordinates: what the sum of four of them may be off by
 
 Vec3 cross_of(const std::vector<Point3>& p, const std::array<uint32_t, 3>& t) {
   return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
@@ -18,6 +19,8 @@ bool has_area(const std::vector<Point3>& p, const std::array<uint32_t, 3>& t) {
   const double longest = std::max({squared_length(ab), squared_length(ac), squared_length(bc)});
   return std::isfinite(longest) && length(cross(ab, ac)) > 1e-7 * longest;
 }
+
+float max_coordinate(Point3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 bool convex(const std::vector<Point3>& p, const std::array<uint32_t, 4>& q, Vec3 normal) {
   for (size_t i = 0; i < 4; ++i) {
@@ -90,7 +93,8 @@ bool SourceFaces::join(uint32_t first, const Corners& a, const Corners& b) {
       const std::array<uint32_t, 4> quad = {a.ids[(i + 2) % 3], a.ids[i], b.ids[(k + 2) % 3], a.ids[(i + 1) % 3]};
       const Vec3 gap = positions[quad[0]] - positions[quad[1]] + positions[quad[2]] - positions[quad[3]];
       const float size = length(positions[quad[0]] - positions[quad[2]]);
-      if ((!stated && length(gap) > kParallelogram * size) || !convex(positions, quad, na)) return false;
+      const float most = kParallelogram * size + kRounding * max_coordinate(positions[quad[0]]);
+      if ((!stated && length(gap) > most) || !convex(positions, quad, na / length(na))) return false;
       list.push_back({quad, {first, first + 1}});
       return true;
     }

@@ -2,11 +2,11 @@
 
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
+#include "aktina/radiosity/solver/visibility.h"
 
 namespace aktina {
 namespace {
 
-constexpr float kOffset = 2e-5f;      // of the scene's diagonal
 constexpr uint32_t kDirections = 16;  // that must all end at backs
 
 }  // namespace
@@ -23,7 +23,7 @@ ShooterHits::ShooterHits(const Sides& sides) : sides_(sides) {
   for (uint32_t i = uint32_t(fronts); i < sides.shooters().size(); ++i)
     backs_[first_shooter[sides.patch(sides.shooters()[i].range.first)]] = i;
   accelerator_ = build_accelerator(outlines_);
-  offset_ = kOffset * bounds(outlines_).diagonal();
+  offset_ = ray_offset(bounds(outlines_));
 }
 
 void ShooterHits::add(uint32_t shooter) {

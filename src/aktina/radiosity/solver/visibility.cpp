@@ -1,12 +1,14 @@
 #include "aktina/radiosity/solver/visibility.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aktina {
 namespace {
 
-constexpr int kMostLayers = 64;   // clear surfaces along a ray; what lies beyond is taken as dark
-constexpr float kOffset = 2e-5f;  // of the scene's diagonal
+constexpr int kMostLayers = 64;        // clear surfaces along a ray; what lies beyond is taken as dark
+constexpr float kOffset = 4e-6f;       // of the scene's diagonal
+constexpr float kRounding = 0x1p-21f;  // of coordinates
 constexpr float kLeastShare = 1e-3f;
 
 bool lets_light_through(const Material& m) {
@@ -22,12 +24,18 @@ T blend(const std::vector<T>& values, const std::array<uint32_t, 3>& t, const Hi
 
 }  // namespace
 
+float ray_offset(const Bounds& scene) {
+  float largest = 0;
+  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::abs(scene.low[k]), std::abs(scene.high[k])});
+  return kOffset * scene.diagonal() + kRounding * largest;
+}
+
 Visibility::Visibility(const Scene& scene) : scene_(scene), accelerator_(build_accelerator(scene)) {
   for (const Instance& instance : scene.instances) {
     clear_.push_back(lets_light_through(scene.material_of(instance)));
     any_clear_ = any_clear_ || clear_.back();
   }
-  offset_ = kOffset * bounds(scene).diagonal();
+  offset_ = ray_offset(bounds(scene));
 }
 
 float Visibility::through(const Hit& hit) const {

@@ -9,6 +9,9 @@
 
 namespace aktina {
 
+/// How far rays start off surfaces, m: beyond what positions and hits are rounded by, below what a scene has gaps of.
+float ray_offset(const Bounds& scene);
+
 /// The share of light that passes between points: 0 behind something opaque, tau (by luminance) for each surface that
 /// lets light straight through, 1 where nothing is in between.
 class Visibility {
