@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "aktina/base/error.h"
 #include "aktina/render/study/output.h"
 #include "aktina/render/study/paper.h"
@@ -40,7 +42,22 @@ StudyOptions read_options(const Arguments& arguments) {
   return options;
 }
 
+/// The least error of each method, and what it took.
+std::string run_summary(const Study& study) {
+  std::string text = fmt::format("{:<28} {:>12} {:>12}  {}\n", study.scene + ": " + study.family, "least error", "s",
+                                 study.error_name);
+  for (const MethodStudy& m : study.methods) {
+    const auto best = std::min_element(m.runs.begin(), m.runs.end(),
+                                       [](const StudyRun& a, const StudyRun& b) { return a.error < b.error; });
+    text += best == m.runs.end()
+                ? fmt::format("{:<28} {}\n", m.choice, m.failure)
+                : fmt::format("{:<28} {:>12.4g} {:>12.4g}  {}\n", m.choice, best->error, best->seconds, best->name());
+  }
+  return text;
+}
+
 std::string summary(const Study& study) {
+  if (!study.error_name.empty()) return run_summary(study);
   std::string text =
       fmt::format("{:<28} {:>10} {:>10} {:>12}\n", study.scene + ": " + study.family, "RMSE", "FLIP", "ms a frame");
   for (const MethodStudy& m : study.methods) {

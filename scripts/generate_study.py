@@ -53,11 +53,25 @@ Times are of one machine at one moment and the smallest ones are noisy; their ra
 is the same on every machine. The times below were taken beside other work on two cores: a method can be disturbed in
 every round, and a time that falls out of its family's line (tens of milliseconds) is such a case. Instructions are counted where the machine lets a program do so.
 
+## Form factors, solvers and meshers
+
+`--family formfactor`, `radiosity` and `mesher` draw no pictures: each method is run at several settings, from coarse to
+fine, on one thread, until a run takes too long, and its error is held against an exact or converged answer.
+
+| family | what runs | held against |
+|---|---|---|
+| `formfactor` | 24 rows of the scene's polygons (1,000 at most), each parameter of the method in steps | `hybrid` to 1e-6; root mean square and largest error of a factor |
+| `radiosity` | solves from `draft` at tolerance 0.3 to `normal` at 0.001 | path traced illuminance at places all over the surfaces, and near contacts apart; the converged matrix solution |
+| `mesher` | patches of five sizes, solved by the matrix | path traced illuminance |
+
+The report shows error against time (of meshers, against patches) with every method's best settings joined by a line, and
+judges each method's claim at equal time or size. A place's own noise limits what can be seen; the report says how much.
+
 ## The files
 
 `report.html` is one page that needs nothing else. `report.json` (`schema_version` 1) has `columns`, each number's group, name,
 unit and meaning, and `studies`: of each its scene, settings, provenance and `methods`, with `quality`, `cost`, `operations`,
-`growth`, `energy` (of illumination models), `claims`, `pareto`, and `failure` where a method cannot draw the scene. What is
+`growth`, `energy` (of illumination models), `runs` (of the families above), `claims`, `pareto`, and `failure` where a method cannot draw the scene. What is
 not known is null; an infinite PSNR too. `report.csv` has the same numbers, a line a method. Times are in ms, of one thread
 (`frame_1`, `setup_1`, `pixels_1`) and of all (`frame_all`).
 

@@ -42,6 +42,19 @@ TEST(ViewFactors, AClosedRoomWithABoxClosesAndIsCertified) {
     EXPECT_GE(std::abs(c.worst[k - 1].sum - 1), std::abs(c.worst[k].sum - 1)) << "the worst first";
 }
 
+/// A lamp a hundredth below the ceiling and a box a hundredth above the floor: light passes where few points look.
+TEST(ViewFactors, NarrowGapsCount) {
+  std::vector<Polygon> all = box(2, 3, 2);
+  all.push_back({{{0.7, 1.2, 1.99}, {0.7, 1.8, 1.99}, {1.3, 1.8, 1.99}, {1.3, 1.2, 1.99}}});
+  for (Polygon p : box(0.6, 0.6, 0.8)) all.push_back(moved(turned_over(p), {0.5, 1, 0.01}));
+  // Lambert's form of the ceiling without the union of both shadows, at 15 million points of the floor.
+  const double floor_to_ceiling = 0.1918004;
+  for (const double target : {1e-3, 1e-4, 1e-6}) {
+    const ViewFactors f = view_factors(one_each(all), {.target_error = target});
+    EXPECT_NEAR(f.at(0, 1), floor_to_ceiling, target + 2e-7) << target;
+  }
+}
+
 TEST(ViewFactors, AnOpenSceneIsNotCalledClosed) {
   std::vector<Polygon> walls = box(1, 1, 1);
   walls.pop_back();

@@ -1,6 +1,7 @@
 #include "aktina/radiosity/formfactor/occluded.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "aktina/radiosity/formfactor/point_to_polygon.h"
@@ -11,10 +12,10 @@
 namespace aktina {
 namespace {
 
-constexpr size_t kMostCells = 2000;     // cutting along lines stops there
+constexpr size_t kMostCells = 400;     // cutting along lines stops there
 constexpr size_t kMostPlanes = 600;     // and is not begun where there are more lines
 constexpr size_t kMostPoints = 400000;  // of the receiver, for one pair
-constexpr int kBlindHalvings = 6;       // of cells that are not cut along all lines
+constexpr size_t kFewCells = 64;        // that are not cut along all lines: halved until there are more
 constexpr double kExact = 1e-13;        // error of the closed form, of the smaller area
 
 /// All that the integration over the receiver needs.
@@ -146,23 +147,35 @@ bool cut_cells(Pair& pair) {
   return critical.complete();
 }
 
+/// Integrates what is hidden over the receiver: always halves the triangle whose error is largest.
 class HiddenArea {
  public:
   /// @param halvings  of each triangle before its error is believed
   HiddenArea(const Pair& pair, double tolerance, int halvings) : pair_(pair) {
-    double area = 0;
-    for (const Contour& cell : pair.cells)
-      for (const SurfaceSample& s : gauss_points(cell, pair.receiver.normal, 1)) area += s.area;
-    per_area_ = tolerance / area, least_area_ = kLeastShare * area;
     for (const Contour& cell : pair.cells)
       for (size_t i = 1; i + 1 < cell.size(); ++i) add({cell[0], cell[i], cell[i + 1]}, halvings);
+    while (error_ > tolerance && points_ < kMostPoints) {
+      std::pop_heap(parts_.begin(), parts_.end());
+      const Part worst = std::move(parts_.back());
+      parts_.pop_back();
+      hidden_ -= worst.hidden, error_ -= worst.error;
+      halve(worst.triangle, 0);
+    }
+    hidden_ = error_ = 0;  // once more, without what the differences left
+    for (const Part& part : parts_) hidden_ += part.hidden, error_ += part.error;
   }
 
   bool anything_visible() const { return visible_; }
   Estimate hidden() const { return {hidden_, error_}; }
 
  private:
-  double gauss(const Contour& triangle, int n) {
+  struct Part {
+    std::array<Point3d, 3> triangle;
+    double hidden, error;
+    bool operator<(const Part& other) const { return error < other.error; }
+  };
+
+  double gauss(const std::array<Point3d, 3>& triangle, int n) {
     double sum = 0;
     for (const SurfaceSample& s : gauss_points(triangle, pair_.receiver.normal, n)) {
       const VisiblePart part = visible_part(s.x, pair_.receiver.normal, pair_.sources, pair_.occluders, pair_.margin);
@@ -173,21 +186,18 @@ class HiddenArea {
     return sum;
   }
 
-  void add(const Contour& triangle, int halvings) {
+  void add(const std::array<Point3d, 3>& triangle, int halvings) {
     if (halvings > 0) {
       halve(triangle, halvings - 1);
       return;
     }
-    const double coarse = gauss(triangle, 3), fine = gauss(triangle, 5), difference = std::abs(fine - coarse);
-    const double area = 0.5 * length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
-    if (difference <= per_area_ * area || area <= least_area_ || points_ > kMostPoints) {
-      hidden_ += fine, error_ += difference;
-      return;
-    }
-    halve(triangle, 0);
+    const double coarse = gauss(triangle, 3), fine = gauss(triangle, 5), error = std::abs(fine - coarse);
+    parts_.push_back({triangle, fine, error});
+    std::push_heap(parts_.begin(), parts_.end());
+    hidden_ += fine, error_ += error;
   }
 
-  void halve(const Contour& triangle, int halvings) {
+  void halve(const std::array<Point3d, 3>& triangle, int halvings) {
     size_t longest = 0;
     const auto edge = [&](size_t i) { return triangle[(i + 1) % 3] - triangle[i]; };
     for (size_t i = 1; i < 3; ++i)
@@ -197,11 +207,9 @@ class HiddenArea {
     add({c, 0.5 * (a + b), b}, halvings);
   }
 
-  // Of the receiver; what is smaller changes no digit, however its integrand jumps, and recursion must end.
-  static constexpr double kLeastShare = 1e-13;
-
   const Pair& pair_;
-  double per_area_, least_area_, hidden_ = 0, error_ = 0;
+  std::vector<Part> parts_;  // a heap
+  double hidden_ = 0, error_ = 0;
   size_t points_ = 0;
   bool visible_ = false;
 };
@@ -251,7 +259,10 @@ Estimate exchange_area(const Face& a, const Face& b, std::span<const Face* const
   const double from_a = clearance(a.plane, blocking), from_b = clearance(b.plane, blocking);
   const bool a_receives = from_a != from_b ? from_a > from_b : a.radius <= b.radius;
   Pair pair = a_receives ? make_pair(a, b, std::move(blocking), margin) : make_pair(b, a, std::move(blocking), margin);
-  const HiddenArea area(pair, tolerance * a.area, cut_cells(pair) ? 0 : kBlindHalvings);
+  int halvings = 0;
+  if (!cut_cells(pair))
+    while (pair.cells.size() << halvings < kFewCells) ++halvings;
+  const HiddenArea area(pair, tolerance * a.area, halvings);
   if (!area.anything_visible()) return {0, area.hidden().error};
   return {std::clamp(unoccluded - area.hidden().value, 0.0, unoccluded), area.hidden().error + rest};
 }

@@ -8,14 +8,17 @@ namespace aktina {
 
 /// @param unit  of lengths, m
 template <class T>
-PointLanes<T> cell_points(const Cell& cell, Point3d origin, double unit) {
-  const std::array<SurfaceSample, kLeaf> samples = gauss_points(cell);
+PointLanes<T> point_lanes(const std::array<SurfaceSample, kLeaf>& samples, Point3d origin, double unit) {
   PointLanes<T> points;
   for (size_t k = 0; k < kLeaf; ++k) {
     points.areas[k] = T(samples[k].area / (unit * unit));
     for (int axis = 0; axis < 3; ++axis) points.x[axis][k] = T((samples[k].x[axis] - origin[axis]) / unit);
   }
   return points;
+}
+template <class T>
+PointLanes<T> cell_points(const Cell& cell, Point3d origin, double unit) {
+  return point_lanes<T>(gauss_points(cell), origin, unit);
 }
 
 template <class T>

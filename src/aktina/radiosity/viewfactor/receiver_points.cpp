@@ -57,4 +57,15 @@ std::array<SurfaceSample, 16> gauss_points(const Cell& cell) {
   return points;
 }
 
+std::array<SurfaceSample, 16> border_points(const Cell& cell) {
+  std::array<SurfaceSample, 16> points;
+  for (size_t k = 0; k < 4; ++k) {
+    const double t = 0.25 * double(k);
+    points[k] = on_cell(cell, t, 0, 1), points[4 + k] = on_cell(cell, 1, t, 1);
+    points[8 + k] = on_cell(cell, 1 - t, 1, 1), points[12 + k] = on_cell(cell, 0, 1 - t, 1);
+  }
+  for (SurfaceSample& point : points) point.area = 1;
+  return points;
+}
+
 }  // namespace aktina

@@ -25,4 +25,7 @@ std::vector<Cell> cells_of(std::span<const Point3d> polygon);
 /// 4 x 4 Gauss points: no two coordinates of theirs are in a simple ratio, as those of edges often are.
 std::array<SurfaceSample, 16> gauss_points(const Cell& cell);
 
+/// Around the cell, corners included; for looking only: of equal areas.
+std::array<SurfaceSample, 16> border_points(const Cell& cell);
+
 }  // namespace aktina

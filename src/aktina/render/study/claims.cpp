@@ -7,34 +7,6 @@
 namespace aktina {
 namespace {
 
-using Verdict = ClaimResult::Verdict;
-
-/// What a claim is judged by.
-struct Evidence {
-  const Study& study;
-  const MethodStudy& method;
-
-  const MethodStudy* find(std::string_view id) const {
-    for (const MethodStudy& m : study.methods)
-      if (m.id == id && m.failure.empty()) return &m;
-    return nullptr;
-  }
-};
-
-struct Judgement {
-  Verdict verdict = Verdict::unknown;
-  std::string measured = "not measured in this study";
-};
-
-struct Claim {
-  std::string_view family, method, text, source;
-  Judgement (*judge)(const Evidence&);
-};
-
-Judgement decide(bool holds, std::string measured) {
-  return {holds ? Verdict::holds : Verdict::fails, std::move(measured)};
-}
-
 double frame(const MethodStudy& m) { return m.cost.times.empty() ? kNotMeasured : m.cost.times[0].seconds; }
 double pixels(const MethodStudy& m) { return m.cost.times.empty() ? kNotMeasured : m.cost.times[0].pixel_seconds; }
 
@@ -188,16 +160,33 @@ void compare_with_phong(Study& study) {
   }
 }
 
+void judge(const Study& study, MethodStudy& method, std::span<const Claim> claims) {
+  for (const Claim& claim : claims) {
+    if (claim.family != study.family || claim.method != method.id) continue;
+    const Judgement j = method.failure.empty() ? claim.judge({study, method}) : Judgement{};
+    method.claims.push_back({std::string(claim.text), std::string(claim.source), j.verdict, j.measured});
+  }
+}
+
 }  // namespace
+
+const MethodStudy* Evidence::find(std::string_view id) const {
+  for (const MethodStudy& m : study.methods)
+    if (m.id == id && m.failure.empty()) return &m;
+  return nullptr;
+}
+
+Judgement decide(bool holds, std::string measured) {
+  return {holds ? ClaimResult::Verdict::holds : ClaimResult::Verdict::fails, std::move(measured)};
+}
 
 void judge_claims(Study& study) {
   for (MethodStudy& m : study.methods) {
-    if (!m.failure.empty()) study.remarks.push_back(fmt::format("{} cannot draw this scene: {}", m.choice, m.failure));
-    for (const Claim& claim : kClaims) {
-      if (claim.family != study.family || claim.method != m.id) continue;
-      const Judgement j = m.failure.empty() ? claim.judge({study, m}) : Judgement{};
-      m.claims.push_back({std::string(claim.text), std::string(claim.source), j.verdict, j.measured});
-    }
+    if (!m.failure.empty())
+      study.remarks.push_back(
+          fmt::format("{} cannot {} this scene: {}", m.choice, study.error_name.empty() ? "draw" : "take", m.failure));
+    judge(study, m, kClaims);
+    judge(study, m, run_claims());
   }
   if (study.family == "shading") compare_with_phong(study);
 }

@@ -33,6 +33,10 @@ svg .grid { stroke: var(--line); } svg .axis { stroke: var(--soft); }
 svg .tick, svg .name { fill: var(--soft); }
 svg .front { fill: none; stroke: var(--front); stroke-width: 2; }
 svg .lead { stroke: var(--line); }
+svg .line { fill: none; stroke-width: 2; } svg g:hover > .line { stroke-width: 4; } svg g > text { fill: var(--ink); }
+svg .c0 { --own: #2a62b8; } svg .c1 { --own: #c2571a; } svg .c2 { --own: #1c7a45; }
+svg .c3 { --own: #a3369c; } svg .c4 { --own: #8a7414; } svg .c5 { --own: #1f8a96; }
+svg .line { stroke: var(--own); } svg .dot { fill: var(--own); stroke: var(--page); stroke-width: 1; }
 svg circle { stroke: var(--page); stroke-width: 2; }
 svg .best circle { fill: var(--front); } svg .other circle { fill: var(--other); }
 svg g text { paint-order: stroke; stroke: var(--page); stroke-width: 3px; }

@@ -5,11 +5,11 @@
 
 #include "aktina/base/markup.h"
 #include "aktina/render/study/html.h"
+#include "aktina/render/study/html_axes.h"
 
 namespace aktina {
 namespace {
 
-constexpr double kWidth = 760, kHeight = 420, kLeft = 70, kRight = 150, kTop = 16, kBottom = 52;
 constexpr double kLabelWidth = 126, kLabelHeight = 14;
 
 struct Point {
@@ -17,58 +17,6 @@ struct Point {
   double time, error;  // ms, RMSE
   double x = 0, y = 0, label = 0;
 };
-
-/// A logarithmic axis over decades that hold all values.
-struct Axis {
-  double low, high;  // log10
-  double from, to;   // px
-  double at(double value) const { return from + (std::log10(value) - low) / (high - low) * (to - from); }
-};
-
-Axis axis_over(const std::vector<double>& values, double from, double to) {
-  double low = 1e300, high = 0;
-  for (const double v : values) low = std::min(low, v), high = std::max(high, v);
-  low = std::log10(low) - 0.08, high = std::log10(high) + 0.08;
-  if (high - low < 0.5) low -= 0.25, high += 0.25;
-  return {low, high, from, to};
-}
-
-std::vector<double> ticks(const Axis& axis) {
-  const double range = axis.high - axis.low;
-  const std::vector<double> steps = range > 2.2   ? std::vector<double>{1}
-                                    : range > 0.9 ? std::vector<double>{1, 2, 5}
-                                                  : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8};
-  std::vector<double> values;
-  for (double decade = std::floor(axis.low); decade <= axis.high; ++decade)
-    for (const double step : steps) {
-      const double value = step * std::pow(10, decade), l = std::log10(value);
-      if (l >= axis.low && l <= axis.high) values.push_back(value);
-    }
-  return values;
-}
-
-std::string axes(const Axis& x, const Axis& y, bool zero) {
-  std::string out;
-  const double bottom = kHeight - kBottom, right = kWidth - kRight;
-  for (const double v : ticks(x))
-    out += fmt::format(
-        "<line class='grid' x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}'/>"
-        "<text class='tick' x='{0:.1f}' y='{3}' text-anchor='middle'>{4:g}</text>",
-        x.at(v), kTop, bottom, bottom + 16, v);
-  for (const double v : ticks(y))
-    out += fmt::format(
-        "<line class='grid' y1='{0:.1f}' y2='{0:.1f}' x1='{1}' x2='{2}'/>"
-        "<text class='tick' x='{3}' y='{4:.1f}' text-anchor='end'>{5:g}</text>",
-        y.at(v), kLeft, right, kLeft - 8, y.at(v) + 4, v);
-  if (zero) out += fmt::format("<text class='tick' x='{}' y='{}' text-anchor='end'>0</text>", kLeft - 8, bottom + 1);
-  out += fmt::format("<line class='axis' x1='{0}' x2='{1}' y1='{2}' y2='{2}'/>", kLeft, right, bottom);
-  out +=
-      fmt::format("<text class='name' x='{:.0f}' y='{}' text-anchor='middle'>time of a frame on one thread, ms</text>",
-                  (kLeft + right) / 2, kHeight - 12);
-  out += fmt::format("<text class='name' transform='translate(16 {:.0f}) rotate(-90)' text-anchor='middle'>RMSE</text>",
-                     (kTop + bottom) / 2);
-  return out;
-}
 
 /// Labels stand right of their points, each moved down below those before it that it would lie on.
 void place_labels(std::vector<Point>& points) {
@@ -119,13 +67,16 @@ std::string html_chart(const Study& study) {
   }
   if (points.empty()) return "<p>Not measured: the study was stopped before.</p>";
   if (errors.empty()) errors.push_back(1);
-  const double bottom = kHeight - kBottom;
-  const Axis x = axis_over(times, kLeft + 6, kWidth - kRight), y = axis_over(errors, bottom - (zero ? 26 : 6), kTop);
+  const double bottom = kChartHeight - kChartBottom;
+  const ChartAxis x = axis_over(times, kChartLeft + 6, kChartWidth - kChartRight),
+                  y = axis_over(errors, bottom - (zero ? 26 : 6), kChartTop);
   for (Point& p : points) p.x = x.at(p.time), p.y = p.error > 0 ? y.at(p.error) : bottom;
   place_labels(points);
   std::string out =
-      fmt::format("<svg viewBox='0 0 {} {}' role='img' aria-label='error against time'>", kWidth, kHeight);
-  out += axes(x, y, zero) + front(points);
+      fmt::format("<svg viewBox='0 0 {} {}' role='img' aria-label='error against time'>", kChartWidth, kChartHeight);
+  out += html_axes(x, y, "time of a frame on one thread, ms", "RMSE") + front(points);
+  if (zero)
+    out += fmt::format("<text class='tick' x='{}' y='{}' text-anchor='end'>0</text>", kChartLeft - 8, bottom + 1);
   for (const Point& p : points) out += mark(p);
   return out + "</svg>";
 }

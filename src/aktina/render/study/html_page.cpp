@@ -26,13 +26,28 @@ std::string facts(const Study& s) {
       s.report.complete ? "" : " · <strong>stopped before its end</strong>", escaped(s.report.settings));
 }
 
+std::string run_section(const Study& study, size_t number) {
+  const std::string facts = fmt::format(
+      "<p class='facts'>{} triangles · reference: {} · seed {} · scene hash {}{}</p><p class='facts'><code>aktina {}"
+      "</code></p>",
+      study.triangles, escaped(study.reference), study.report.seed, escaped(study.report.scene_hash),
+      study.report.complete ? "" : " · <strong>stopped before its end</strong>", escaped(study.report.settings));
+  return fmt::format(
+      "<section id='study{}'><h2>{}: {}</h2>{}{}<h3>Error against {}</h3><p>Each line joins a method's best runs: left "
+      "is cheaper, low is nearer to the reference.</p><div class='wide'>{}</div>{}{}</section>",
+      number, escaped(study.scene), escaped(study.family), facts, remarks(study),
+      study.size_name.empty() ? "time" : study.size_name, html_run_chart(study), html_claims(study),
+      html_run_table(study));
+}
+
 std::string section(const Study& study, size_t number) {
+  if (!study.error_name.empty()) return run_section(study, number);
   return fmt::format(
       "<section id='study{}'><h2>{}: {}</h2>{}{}<h3>Error against cost</h3><p>Left is quicker, low is nearer to the "
       "reference. The line is the Pareto front: no method is both quicker and nearer than one on it.</p>"
-      "<div class='wide'>{}</div>{}{}</section>",
+      "<div class='wide'>{}</div>{}{}{}</section>",
       number, escaped(study.scene), escaped(study.family), facts(study), remarks(study), html_chart(study),
-      html_tables(study), html_pictures(study, number));
+      html_tables(study), html_claims(study), html_pictures(study, number));
 }
 
 std::string contents(std::span<const Study> studies) {

@@ -66,7 +66,19 @@ std::string growth_points(const Study& study) {
   return out;
 }
 
-std::string claims(const Study& study) {
+}  // namespace
+
+std::string shown(double value) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return "∞";
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  if (size >= 1000) return fmt::format("{:.0f}", value);
+  if (size >= 0.001) return fmt::format("{:.3g}", value);
+  return fmt::format("{:.1e}", value);
+}
+
+std::string html_claims(const Study& study) {
   constexpr const char *kWords[] = {"holds", "does not hold", "not known"}, *kClasses[] = {"yes", "no", "open"};
   std::string rows;
   for (const MethodStudy& m : study.methods)
@@ -84,18 +96,6 @@ std::string claims(const Study& study) {
          rows + "</tbody></table></div>";
 }
 
-}  // namespace
-
-std::string shown(double value) {
-  if (std::isnan(value)) return "–";
-  if (std::isinf(value)) return "∞";
-  if (value == 0) return "0";
-  const double size = std::abs(value);
-  if (size >= 1000) return fmt::format("{:.0f}", value);
-  if (size >= 0.001) return fmt::format("{:.3g}", value);
-  return fmt::format("{:.1e}", value);
-}
-
 std::string html_tables(const Study& study) {
   std::string out = "<h3>Quality</h3>" + table(study, Group::quality, "") + reference_row(study);
   out += "<h3>Cost</h3>" + table(study, Group::cost, "");
@@ -107,7 +107,7 @@ std::string html_tables(const Study& study) {
   if (study.family == "shading") out += "<h3>Operations</h3>" + table(study, Group::operations, "");
   if (!study.methods.front().growth.over_pixels.empty())
     out += "<h3>Growth</h3>" + table(study, Group::growth, "") + growth_points(study);
-  return out + claims(study);
+  return out;
 }
 
 }  // namespace aktina

@@ -7,6 +7,7 @@
 #include "aktina/base/version.h"
 #include "aktina/render/study/columns.h"
 #include "aktina/render/study/output.h"
+#include "aktina/render/study/runs.h"
 
 namespace aktina {
 namespace {
@@ -57,6 +58,12 @@ Json to_json(const MethodStudy& m) {
   json["growth"]["over_triangles"] = to_json(m.growth.over_triangles);
   json["growth"]["over_pixels"] = to_json(m.growth.over_pixels);
   json["pareto"] = m.best;
+  Json& runs = json["runs"] = Json::array();
+  for (const StudyRun& run : m.runs) {
+    Json one = {{"run", run.name()}};
+    for (const RunColumn& c : run_columns()) one[std::string(c.name)] = number(run.*c.value);
+    runs.push_back(std::move(one));
+  }
   Json& claims = json["claims"] = Json::array();
   for (const ClaimResult& c : m.claims)
     claims.push_back({{"claim", c.claim}, {"cite", c.source}, {"verdict", word(c.verdict)}, {"measured", c.measured}});
@@ -75,6 +82,8 @@ Json to_json(const Study& s) {
           {"triangles", s.triangles},
           {"covered_pixels", s.covered_pixels},
           {"exposure", s.exposure},
+          {"run_error", s.error_name},
+          {"run_size", s.size_name},
           {"reference_edge_jump", number(s.reference_edges.edge_jump)},
           {"reference_mach_band", number(s.reference_edges.mach_band)},
           {"counts_instructions", s.counts_instructions},

@@ -17,6 +17,7 @@
 #include "aktina/render/study/growth.h"
 #include "aktina/render/study/instructions.h"
 #include "aktina/render/study/quality.h"
+#include "aktina/render/study/runs.h"
 #include "aktina/render/study/timing.h"
 #include "aktina/scene/scene_lights.h"
 #include "aktina/scene/tessellate.h"
@@ -28,20 +29,6 @@ constexpr int kWidth = 480;           // px, where no size is given
 constexpr int kFrames = 4;            // of the turn
 constexpr float kTurn = 0.0087266f;   // rad, half a degree a frame
 constexpr int kReferenceFactor = 16;  // samples of a traced reference, over the methods'
-
-std::vector<MethodStudy> chosen_methods(const StudyFamily& family, const StudyOptions& options) {
-  const Family& table = find_family(family.id);
-  std::vector<std::string> choices = options.methods;
-  if (choices.empty())
-    for (const MethodInfo* method : table.methods) choices.emplace_back(method->id);
-  std::vector<MethodStudy> all;
-  for (const std::string& choice : choices) {
-    const MethodInfo& row = find_method(table, parse_method(choice).id);
-    MethodStudy& m = all.emplace_back();
-    m.choice = choice, m.id = row.id, m.title = row.title, m.summary = row.summary, m.cite = row.cite;
-  }
-  return all;
-}
 
 /// Pictures of the turn: the first is the view itself.
 std::vector<Image> turn(const StudyWork& work, const Variant& variant, int samples) {
@@ -199,19 +186,6 @@ std::string settings(const StudyWork& work) {
                             work.options.seed);
 }
 
-/// Gives the number of threads back that was set.
-class ThreadsKept {
- public:
-  ThreadsKept() : count_(thread_count()) {}
-  ~ThreadsKept() { set_thread_count(count_); }
-  ThreadsKept(const ThreadsKept&) = delete;
-  ThreadsKept& operator=(const ThreadsKept&) = delete;
-  int count() const { return count_; }
-
- private:
-  int count_;
-};
-
 void measure(StudyWork& work) {
   Stopwatch watch;
   const SmoothEdges edges(work.scene, work.camera, work.width, work.height);
@@ -229,10 +203,25 @@ void measure(StudyWork& work) {
 
 }  // namespace
 
+std::vector<MethodStudy> chosen_methods(std::string_view family, const StudyOptions& options) {
+  const Family& table = find_family(family);
+  std::vector<std::string> choices = options.methods;
+  if (choices.empty())
+    for (const MethodInfo* method : table.methods) choices.emplace_back(method->id);
+  std::vector<MethodStudy> all;
+  for (const std::string& choice : choices) {
+    const MethodInfo& row = find_method(table, parse_method(choice).id);
+    MethodStudy& m = all.emplace_back();
+    m.choice = choice, m.id = row.id, m.title = row.title, m.summary = row.summary, m.cite = row.cite;
+  }
+  return all;
+}
+
 Study study(const Scene& given, const StudyOptions& options, Progress& progress) {
+  if (const RunFamily* runs = find_run_family(options.family)) return study_by_runs(given, options, *runs, progress);
   const StudyFamily& family = find_study_family(options.family);
   Study result;
-  result.methods = chosen_methods(family, options);
+  result.methods = chosen_methods(family.id, options);
   const TessellatedScene scene(given);
   const Camera& camera = chosen_camera(*scene, options.camera);
   const ThreadsKept threads;

@@ -15,7 +15,7 @@ namespace aktina {
 inline constexpr double kNotMeasured =
     std::numeric_limits<double>::quiet_NaN();  // not measured, or without meaning here
 
-/// Families whose methods can be compared by pictures.
+/// Families whose methods can be compared: by pictures; form factors, radiosity and meshers by runs.
 inline constexpr std::string_view kStudyFamilies[] = {"shading",   "illumination", "normals", "integrator",
                                                       "radiosity", "formfactor",   "mesher",  "specular"};
 
@@ -88,6 +88,24 @@ struct ClaimResult {
   std::string measured;
 };
 
+/// One run of a method at one of its settings, where a family is compared by runs.
+struct StudyRun {
+  std::string choice{};     // "hemicube:resolution=64"
+  std::string setting{};    // in words, where the choice does not say it
+  std::string parameter{};  // what a sweep changes, and its value
+  double value = kNotMeasured;
+  bool others_least = false;      // all other counts of the method are 1: as it was published
+  double size = kNotMeasured;     // patches
+  double seconds = kNotMeasured;  // on one thread
+  double error = kNotMeasured, rms_error = kNotMeasured, largest_error = kNotMeasured;
+  double contact_error = kNotMeasured;    // where surfaces meet
+  double off_balance = kNotMeasured;      // distance from the converged solution
+  double estimated_error = kNotMeasured;  // by the method itself
+  double steps = kNotMeasured, bytes = kNotMeasured;
+
+  std::string name() const { return setting.empty() ? choice : choice + ", " + setting; }
+};
+
 struct MethodStudy {
   std::string choice, id, title, summary, cite;
   std::string failure;  // why the method could not draw the scene; then nothing below is known
@@ -96,6 +114,7 @@ struct MethodStudy {
   Cost cost;
   Growth growth;
   Energy energy;  // family "illumination"
+  std::vector<StudyRun> runs;
   std::vector<ClaimResult> claims;
   bool best = false;  // on the Pareto front: none of the others is both quicker and nearer to the reference
 };
@@ -108,6 +127,7 @@ struct Study {
   Quality reference_edges;  // edge_jump and mach_band of the reference itself
   uint64_t triangles = 0, covered_pixels = 0;
   bool counts_instructions = false;
+  std::string error_name, size_name;  // of runs: what their error and size are; empty: no runs, time in place of size
   std::vector<MethodStudy> methods;
   std::vector<std::string> remarks;  // in plain words
 };

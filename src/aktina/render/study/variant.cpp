@@ -5,6 +5,7 @@
 #include "aktina/base/error.h"
 #include "aktina/illumination/normals/normals.h"
 #include "aktina/render/catalogue.h"
+#include "aktina/render/study/within.h"
 
 namespace aktina {
 namespace {
@@ -15,30 +16,12 @@ void choose_shading(RenderOptions& o, const std::string& m) { o.method = "raster
 void choose_illumination(RenderOptions& o, const std::string& m) { o.method = "raster", o.illumination = m; }
 void choose_normals(RenderOptions& o, const std::string&) { o.method = "raster"; }
 void choose_method(RenderOptions& o, const std::string& m) { o.method = m; }
-void choose_solver(RenderOptions& o, const std::string& m) { o.method = "radiosity", o.radiosity.solver = m; }
-void choose_formfactor(RenderOptions& o, const std::string& m) { o.method = "radiosity", o.radiosity.formfactor = m; }
-void choose_mesher(RenderOptions& o, const std::string& m) { o.method = "radiosity", o.radiosity.mesher = m; }
 
 constexpr StudyFamily kFamilies[] = {
     {"shading", "phong", true, choose_shading},     {"illumination", "phong", true, choose_illumination},
     {"normals", kOwnNormals, true, choose_normals}, {"integrator", "path", false, choose_method},
-    {"radiosity", "path", false, choose_solver},    {"formfactor", "path", false, choose_formfactor},
-    {"mesher", "path", false, choose_mesher},       {"specular", "path", false, choose_method},
+    {"specular", "path", false, choose_method},
 };
-
-/// Calls `work` with a progress of its own that is cancelled where `outer` is.
-template <class Work>
-auto within(Progress& outer, const Work& work) {
-  std::optional<Progress> inner;
-  inner.emplace(
-      [&](const ProgressState&) {
-        if (outer.cancelled()) inner->cancel();
-      },
-      0.05);
-  auto result = work(*inner);
-  outer.throw_if_cancelled();
-  return result;
-}
 
 }  // namespace
 
