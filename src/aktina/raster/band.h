@@ -69,9 +69,13 @@ struct Background {
   FunctionRef<Rgb(int x, int y)> at;
 };
 
-/// Draws a band of the frame: opaque surfaces, the background of pixels that see none where it varies, is wanted, or
-/// has blended surfaces before it, and those from back to front.
-void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band);
+/// A band of the frame: cleared,
+void clear_band(const RasterFrame& frame, int index, RasterBand& band);
+/// its opaque surfaces of the pass in hand drawn and shaded: what earlier passes have shaded keeps depth and colour,
+void draw_opaque(const RasterFrame& frame, int index, RasterBand& band);
+/// and finished: the background of pixels that see none where it varies, is wanted, or has blended surfaces before it,
+/// and those from back to front.
+void finish_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band);
 void shade_opaque(const RasterFrame& frame, RasterBand& band);
 /// Lights the pixels of pipelines on spans: colour is written where they are plain, and nobody into `seen`; else what
 /// is lit waits in band.on_spans for its textures.

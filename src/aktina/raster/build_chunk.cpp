@@ -94,7 +94,8 @@ class ChunkBuilder {
 
 void build_chunk(const RasterFrame& frame, uint32_t index) {
   ChunkBuilder builder(frame, frame.chunks[index]);
-  const uint32_t begin = index * kChunkTriangles, end = std::min(begin + kChunkTriangles, frame.list.triangle_count());
+  const uint32_t begin = (frame.first_chunk + index) * kChunkTriangles;
+  const uint32_t end = std::min(begin + kChunkTriangles, frame.list.triangle_count());
   const auto parts = frame.list.parts();
   auto part = std::upper_bound(parts.begin(), parts.end(), begin,
                                [](uint32_t t, const DrawPart& p) { return t < p.first_triangle; });

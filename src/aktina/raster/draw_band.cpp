@@ -13,21 +13,6 @@ void clear_spans(const RasterFrame& frame, size_t size, SpanBuffers& out) {
   std::fill_n(out.blended.data(), size, kNobody);
 }
 
-/// Colours stay as they are: where nothing is seen they say nothing.
-void clear(const RasterFrame& frame, int index, RasterBand& band) {
-  const int first = index * kBandRows;
-  band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
-                     frame.view.farthest(), band.names);
-  const size_t size = band.visible.layout.blocks() * kLanes;
-  if (frame.pipelines.any_spans) clear_spans(frame, size, band.on_spans);
-  for (int k = 0; k < 3; ++k) {
-    band.colour[k].resize(size);
-    if (!band.surface_layers) continue;
-    band.albedo[k].resize(size), band.normal[k].resize(size);
-    std::fill_n(band.albedo[k].data(), size, 0.0f), std::fill_n(band.normal[k].data(), size, 0.0f);
-  }
-}
-
 /// The slow path of alpha masks: each covered pixel asks the texture.
 void draw_masked(const RasterFrame& frame, const TriangleChunk& chunk, uint32_t first_name,
                  std::span<const uint32_t> list, RasterBand& band) {
@@ -56,7 +41,7 @@ void draw_run(const RasterFrame& frame, uint32_t index, uint32_t pipeline_index,
   }
 }
 
-void draw_opaque(const RasterFrame& frame, int index, RasterBand& band) {
+void draw_visible(const RasterFrame& frame, int index, RasterBand& band) {
   for (uint32_t c = 0; c < frame.chunks.size(); ++c) {
     const TriangleChunk& chunk = frame.chunks[c];
     std::span<const uint32_t> left = chunk.bands[size_t(index)];
@@ -71,12 +56,31 @@ void draw_opaque(const RasterFrame& frame, int index, RasterBand& band) {
 
 }  // namespace
 
-void draw_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band) {
+/// Colours stay as they are: where nothing is seen they say nothing.
+void clear_band(const RasterFrame& frame, int index, RasterBand& band) {
+  const int first = index * kBandRows;
   band.names = frame.pipelines.any_deferred;
-  clear(frame, index, band);
-  draw_opaque(frame, index, band);
+  band.visible.clear({first, std::min(kBandRows, frame.view.height() - first), frame.view.width()},
+                     frame.view.farthest(), band.names);
+  const size_t size = band.visible.layout.blocks() * kLanes;
+  if (frame.pipelines.any_spans) clear_spans(frame, size, band.on_spans);
+  for (int k = 0; k < 3; ++k) {
+    band.colour[k].resize(size);
+    if (!band.surface_layers) continue;
+    band.albedo[k].resize(size), band.normal[k].resize(size);
+    std::fill_n(band.albedo[k].data(), size, 0.0f), std::fill_n(band.normal[k].data(), size, 0.0f);
+  }
+}
+
+void draw_opaque(const RasterFrame& frame, int index, RasterBand& band) {
+  LineArray<uint32_t>& seen = band.visible.seen;
+  if (band.names && frame.first_chunk > 0) std::fill_n(seen.data(), band.visible.layout.blocks() * kLanes, kNobody);
+  draw_visible(frame, index, band);
   if (frame.pipelines.any_spans) shade_spans(frame, index, band);
   if (band.names) shade_opaque(frame, band);
+}
+
+void finish_band(const RasterFrame& frame, int index, const Background& background, RasterBand& band) {
   band.filled = background.varies || background.fill || frame.pipelines.any_blended;
   if (band.filled) fill_background(frame, background, band);
   if (frame.pipelines.any_blended) draw_blended(frame, index, band);

@@ -2,7 +2,7 @@
 //
 // vertices to the screen -> triangles gathered, set up and sorted into bands of rows, chunk by chunk -> bands drawn and
 // resolved. Chunks and bands are cut without regard to threads, and each band takes the chunks in their order: the same
-// bytes for any number of threads.
+// bytes for any number of threads. Of large scenes a part of the chunks is in memory at a time (passes.h).
 #pragma once
 
 #include "aktina/raster/pipeline.h"
@@ -64,11 +64,12 @@ struct RasterFrame {
   const Pipelines& pipelines;
   const ScreenVertices& screen;
   const VertexRadiance& radiance;
-  std::vector<TriangleChunk>& chunks;
+  std::vector<TriangleChunk>& chunks;  // of the pass in hand
+  uint32_t first_chunk = 0;            // of the pass, among all of the scene
 
   int bands() const { return (view.height() + kBandRows - 1) / kBandRows; }
   size_t stride() const { return pipelines.lines * kLanes; }
-  /// A record's name: its chunk and its place there.
+  /// A record's name: its chunk in the pass and its place there.
   const TriangleChunk& chunk_of(uint32_t name) const { return chunks[name >> kChunkBits]; }
   static uint32_t place(uint32_t name) { return name & ((1U << kChunkBits) - 1); }
   const TriangleRecord& record(uint32_t name) const { return chunk_of(name).records[place(name)]; }
@@ -80,7 +81,7 @@ struct RasterFrame {
 void light_vertices(const DrawList& list, const DrawPart& part, const Pipeline& pipeline, uint32_t begin, uint32_t end,
                     VertexRadiance& out);
 
-/// Sets up the triangles of chunk `index`.
+/// Sets up the triangles of chunk `index` of the pass.
 void build_chunk(const RasterFrame& frame, uint32_t index);
 
 }  // namespace aktina

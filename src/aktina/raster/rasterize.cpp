@@ -11,6 +11,7 @@
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
 #include "aktina/raster/limits.h"
+#include "aktina/raster/passes.h"
 #include "aktina/raster/resolve.h"
 
 namespace aktina {
@@ -40,7 +41,7 @@ PipelineSettings settings_of(const Scene& scene, const RasterOptions& options) {
   return s;
 }
 
-/// Bands that threads work in, one each.
+/// Bands that wait for work.
 class BandPool {
  public:
   std::unique_ptr<RasterBand> take() {
@@ -63,10 +64,11 @@ class BandPool {
 /// Time and evaluations since it was made or last asked.
 class Lap {
  public:
+  /// Adds them.
   void end(double& seconds, uint64_t& evaluations) {
     const auto now = std::chrono::steady_clock::now();
     const uint64_t lit = points_lit_by_this_thread();
-    seconds = std::chrono::duration<double>(now - time_).count(), evaluations = lit - lit_;
+    seconds += std::chrono::duration<double>(now - time_).count(), evaluations += lit - lit_;
     time_ = now, lit_ = lit;
   }
 
@@ -102,7 +104,6 @@ class Rasterizer::Workshop {
         pieces_.push_back(
             {part, p.first_vertex + first, p.first_vertex + std::min(first + kVertexPiece, p.vertex_count)});
     }
-    chunks_.resize((list_.triangle_count() + kChunkTriangles - 1) / kChunkTriangles);
     if (list_.parts().size() > kMostMethodsPerScene)
       throw Error(Code::limit, "raster.parts", fmt::format("got {} instances", list_.parts().size()),
                   fmt::format("at most {}", kMostMethodsPerScene));
@@ -118,18 +119,25 @@ class Rasterizer::Workshop {
     const Pipelines pipelines(settings_, list_, viewer);
     if (pipelines.any_radiance) radiance_.light.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
     if (pipelines.any_specular) radiance_.specular.resize(VertexRadiance::row(padded(list_.vertex_count()), true));
-    const RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
-    if (progress) progress->begin("rasterizing", "bands", uint64_t(frame.bands()));
+    RasterFrame frame{scene_, list_, view, pipelines, screen_, radiance_, chunks_};
+    const uint32_t chunks = (list_.triangle_count() + kChunkTriangles - 1) / kChunkTriangles;
+    const uint32_t pass = std::max(chunks_per_pass(chunks, pipelines, view), 1U);
+    const uint32_t passes = std::max((chunks + pass - 1) / pass, 1U);  // one draws the background of an empty scene
+    if (progress) progress->begin("rasterizing", "bands", uint64_t(frame.bands()) * passes);
     Lap lap;
-    draw_vertices(frame);
-    parallel_for(chunks_.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t c = begin; c < end; ++c) build_chunk(frame, uint32_t(c));
-    });
     cost_ = {};
-    lap.end(cost_.setup_seconds, cost_.setup_evaluations);
-    for (const TriangleChunk& chunk : chunks_) cost_.triangles += chunk.count;
-    draw_bands(frame, camera, prepare(out, width, height), out, progress);
-    lap.end(cost_.pixel_seconds, cost_.pixel_evaluations);
+    draw_vertices(frame);
+    const PictureLayers layers = prepare(out, width, height);
+    bands_.clear();  // of a picture that was cancelled
+    bands_.resize(size_t(frame.bands()));
+    for (uint32_t p = 0; p < passes; ++p) {
+      frame.first_chunk = p * pass;
+      chunks_.resize(std::min(pass, chunks - frame.first_chunk));
+      build_chunks(frame);
+      lap.end(cost_.setup_seconds, cost_.setup_evaluations);
+      draw_bands(frame, camera, p + 1 == passes ? &layers : nullptr, out, progress);
+      lap.end(cost_.pixel_seconds, cost_.pixel_evaluations);
+    }
   }
 
   const FrameCost& cost() const { return cost_; }
@@ -150,6 +158,13 @@ class Rasterizer::Workshop {
     });
   }
 
+  void build_chunks(const RasterFrame& frame) {
+    parallel_for(chunks_.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t c = begin; c < end; ++c) build_chunk(frame, uint32_t(c));
+    });
+    for (const TriangleChunk& chunk : chunks_) cost_.triangles += chunk.count;
+  }
+
   PictureLayers prepare(LayeredImage& out, int width, int height) const {
     size_t count = 1;
     out.layers.resize(1 + size_t(options_.albedo) + size_t(options_.normal) + size_t(options_.position) +
@@ -163,7 +178,8 @@ class Rasterizer::Workshop {
     return layers;
   }
 
-  void draw_bands(const RasterFrame& frame, const Camera& camera, const PictureLayers& layers, LayeredImage& out,
+  /// @param layers  where this is the last pass
+  void draw_bands(const RasterFrame& frame, const Camera& camera, const PictureLayers* layers, LayeredImage& out,
                   Progress* progress) {
     const auto sky = [&](int x, int y) {
       const CameraRay ray =
@@ -175,16 +191,26 @@ class Rasterizer::Workshop {
     const std::vector<uint32_t> order = fullest_first(frame);
     std::atomic<size_t> next{0};
     parallel_for(std::min(order.size(), size_t(thread_count())), 1, [&](size_t, size_t) {
-      std::unique_ptr<RasterBand> band = pool_.take();
-      band->surface_layers = settings_.surface_layers;
       for (size_t i = next++; i < order.size(); i = next++) {
         if (progress) progress->throw_if_cancelled();
-        draw_band(frame, int(order[i]), background, *band);
-        resolve(frame, background, layers, *band, out);
+        const int index = int(order[i]);
+        std::unique_ptr<RasterBand>& band = bands_[order[i]];
+        if (!band) start_band(frame, index, band);
+        draw_opaque(frame, index, *band);
+        if (layers) {
+          finish_band(frame, index, background, *band);
+          resolve(frame, background, *layers, *band, out);
+          pool_.give_back(std::move(band));
+        }
         if (progress) progress->advance();
       }
-      pool_.give_back(std::move(band));
     });
+  }
+
+  void start_band(const RasterFrame& frame, int index, std::unique_ptr<RasterBand>& band) {
+    band = pool_.take();
+    band->surface_layers = settings_.surface_layers;
+    clear_band(frame, index, *band);
   }
 
   /// Bands, those of most triangles first: so the threads come to their end together.
@@ -218,6 +244,7 @@ class Rasterizer::Workshop {
   VertexRadiance radiance_;
   std::vector<TriangleChunk> chunks_;
   BandPool pool_;
+  std::vector<std::unique_ptr<RasterBand>> bands_;  // in the making
   FrameCost cost_;
 };
 
