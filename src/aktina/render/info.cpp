@@ -95,7 +95,7 @@ Json leaks_json(const Scene& scene) {
 
 std::string leaks_text(const Json& l) {
   constexpr size_t kMostGaps = 3;
-  if (!l["examined"].get<bool>()) return "leaks: not examined, too many surfaces are near each other\n";
+  if (!l["examined"].get<bool>()) return "leaks: not examined, too many surfaces, or too many near each other\n";
   std::string text;
   if (const uint64_t count = l["crossed_faces"].get<uint64_t>())
     text += fmt::format("{} faces that others touch or cross, along {:.4g} m: partly buried\n", count,

@@ -42,6 +42,15 @@ TEST(Leaks, ABoxThatStandsOrSinksHasNoneAndBuriesTheFloor) {
   EXPECT_EQ(sunk.crossed_faces, 5U) << "the floor and the four sides";
 }
 
+TEST(Leaks, TooManyTrianglesAreNotExamined) {
+  Scene scene = furnished(1e-3f);
+  const Instance floor = scene.instances[0];
+  while (triangle_count(scene) <= kMostLeakTriangles) scene.instances.insert(scene.instances.end(), 1000, floor);
+  const Leaks leaks = find_leaks(scene);
+  EXPECT_FALSE(leaks.complete);
+  EXPECT_EQ(leaks.gaps, 0U);
+}
+
 TEST(Leaks, WiderGapsAreOpeningsUnlessAskedFor) {
   EXPECT_EQ(find_leaks(furnished(0.02f)).gaps, 0U);
   EXPECT_EQ(find_leaks(furnished(0.02f), 0.03).gaps, 4U);

@@ -119,10 +119,12 @@ void add_gaps(const std::vector<FlatFace>& faces, double touch, Leaks& leaks) {
 }  // namespace
 
 Leaks find_leaks(const Scene& scene, double most_width) {
+  Leaks leaks;
+  leaks.complete = triangle_count(scene) <= kMostLeakTriangles;
+  if (!leaks.complete) return leaks;
   const SceneFaces surfaces(scene);
   const std::vector<FlatFace> faces = flat_faces(surfaces);
   const double diagonal = double(bounds(surfaces).diagonal()), touch = kTouch * diagonal;
-  Leaks leaks;
   leaks.most_width = most_width > 0 ? most_width : kMostWidth * diagonal;
   bool too_many = false;
   const std::vector<Contact> lines = find_contacts(faces, touch, 10 * touch, &too_many);

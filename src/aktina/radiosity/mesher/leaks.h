@@ -22,8 +22,11 @@ struct Leaks {
   std::vector<Gap> worst;      // up to ten: those with the largest opening, width times length
   uint64_t crossed_faces = 0;  // faces that others touch or cross within their outline: partly buried
   double crossing_length = 0;  // m, of these lines
-  bool complete = true;        // false: not examined, too many surfaces are near each other
+  bool complete = true;        // false: not examined, too many faces, or too many near each other
 };
+
+/// Scenes of more triangles are not examined: each would take about 600 bytes, and 6 s a million.
+inline constexpr uint64_t kMostLeakTriangles = 200'000;
 
 /// @param scene  without analytic primitives
 /// @param most_width  m; 0: a thousandth of the scene's diagonal. What is nearer than kTouch touches: rays start as far
