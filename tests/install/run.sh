@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs into a fresh folder, then builds and runs a project outside the tree against it: with CMake and with pkg-config.
+# CXX and CXXFLAGS are those of the build.
 set -euo pipefail
 build=$1 source=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d)
@@ -23,9 +24,9 @@ echo "with pkg-config:"
 export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name aktina.pc)")
 flags=$(pkg-config --define-prefix --cflags --libs aktina)
 # shellcheck disable=SC2086
-c++ -std=c++20 "$source/consumer/main.cpp" $flags -o "$folder/consumer"
+"${CXX:-c++}" -std=c++20 ${CXXFLAGS:-} "$source/consumer/main.cpp" $flags -o "$folder/consumer"
 LD_LIBRARY_PATH=$(pkg-config --define-prefix --variable=libdir aktina) "$folder/consumer"
 
 echo "the installed headers need nothing of the source tree:"
 for header in $(cd "$prefix/include" && find aktina -name '*.h' | sort); do echo "#include <$header>"; done >"$folder/all.cpp"
-c++ -std=c++20 -fsyntax-only -I"$prefix/include" "$folder/all.cpp"
+"${CXX:-c++}" -std=c++20 -fsyntax-only -I"$prefix/include" "$folder/all.cpp"
