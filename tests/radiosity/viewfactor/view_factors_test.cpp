@@ -7,6 +7,7 @@
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
 #include "aktina/radiosity/formfactor/closed_forms.h"
+#include "aktina/radiosity/formfactor/formfactor.h"
 #include "aktina/radiosity/viewfactor/certificate.h"
 #include "aktina/radiosity/viewfactor/gray_body.h"
 #include "radiosity/viewfactor/surfaces.h"
@@ -53,6 +54,38 @@ TEST(ViewFactors, NarrowGapsCount) {
     const ViewFactors f = view_factors(one_each(all), {.target_error = target});
     EXPECT_NEAR(f.at(0, 1), floor_to_ceiling, target + 2e-7) << target;
   }
+}
+
+/// Held against the contours, whose occluders are no bodies: they only hide, from outside and from inside.
+void expect_as_contours(const std::vector<Polygon>& polygons, double target) {
+  const ViewFactors f = view_factors(one_each(polygons), {.target_error = target});
+  const auto contour = make_method(formfactors(), "formfactor", "contour:tolerance=1e-7");
+  contour->build({polygons, {}});
+  for (size_t i = 0; i < polygons.size(); ++i) {
+    const FormFactorRow row = contour->row(i);
+    for (size_t j = 0; j < polygons.size(); ++j)
+      EXPECT_NEAR(f.at(i, j), row.factors[j], target + 1e-6) << i << " to " << j << ", target " << target;
+  }
+}
+
+TEST(ViewFactors, APlateThatReachesALittleThroughAWall) {
+  std::vector<Polygon> all = box(2.6, 1.7, 1.1);
+  all.push_back({{{0.35, 0.9, 0.55}, {1.05, 0.9, 0.55}, {1.05, 1.705, 0.55}, {0.35, 1.705, 0.55}}});
+  for (const double target : {1e-3, 1e-4, 1e-5, 1e-6}) expect_as_contours(all, target);
+}
+
+TEST(ViewFactors, WallsThatReachIntoABoxSeeEachOtherThere) {
+  std::vector<Polygon> walls = box(2.8, 1.5, 1.1);
+  std::vector<Polygon> all = {walls[1], walls[4]};
+  for (Polygon p : box(0.7, 0.75, 0.4)) all.push_back(moved(turned_over(p), {0.9, 1, 0.75}));
+  expect_as_contours(all, 1e-4);
+}
+
+TEST(ViewFactors, BoxesThatReachIntoEachOther) {
+  std::vector<Polygon> all;
+  for (Polygon p : box(1, 1, 1)) all.push_back(turned_over(p));
+  for (Polygon p : box(0.8, 0.6, 0.7)) all.push_back(moved(turned_over(p), {0.7, 0.3, 0.8}));
+  expect_as_contours(all, 1e-4);
 }
 
 TEST(ViewFactors, AnOpenSceneIsNotCalledClosed) {

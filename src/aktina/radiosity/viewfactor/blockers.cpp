@@ -97,7 +97,26 @@ class BlockerFinder {
       return std::nullopt;
     draw_in(part, body);
     bound(body);
+    if (is_entered(body)) return std::nullopt;
     return body;
+  }
+
+  /// Whether two surfaces reach into the body: there they may see each other, as they never do through a solid one.
+  bool is_entered(const Blocker& body) const {
+    int count = 0;
+    for (const Face& face : faces_.surfaces()) {
+      const double reach = face.radius + body.radius;
+      if (squared_length(face.centre - body.centre) > reach * reach) continue;
+      for (const Contour& piece : face.convex) {
+        Contour within = piece;
+        for (size_t k = 0; k < body.bounds.size() && !within.empty(); ++k)
+          within = clip(within, {body.bounds[k].point, -body.bounds[k].normal}, 8 * tolerance_);
+        if (within.empty()) continue;
+        if (++count == 2) return true;
+        break;
+      }
+    }
+    return false;
   }
 
   /// Each corner by itself, so that faces go on sharing theirs.

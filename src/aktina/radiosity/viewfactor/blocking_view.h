@@ -25,6 +25,8 @@ class BlockingView {
   /// What hides sources from a receiver: one outline where all of the receiver sees the same faces of the blocker, else
   /// all faces. Valid until the next call.
   std::span<const BlockingPolygon<T>> seen_from(size_t receiver_lane);
+  /// Whether a receiver is on both sides of a face's plane.
+  bool is_straddled_by(size_t receiver_lane) const { return !fronts(receiver_lane); }
   /// The faces, cut.
   const std::vector<Contour>& contours();
 

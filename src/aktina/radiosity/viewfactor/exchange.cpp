@@ -87,6 +87,7 @@ void find_all(const PairSetting& setting, const LeafTree& tree, std::span<const 
   std::vector<HeldPairs> held(asked.size());
   parallel_for(asked.size(), 1, [&](size_t begin, size_t end) {
     PairExchange<T> pair(setting);
+    PairExchange<double> precise(setting);
     LeafView view;
     for (size_t k = begin; k < end; ++k) {
       if (progress) progress->throw_if_cancelled();
@@ -95,7 +96,11 @@ void find_all(const PairSetting& setting, const LeafTree& tree, std::span<const 
         if (b == a || (b < a && is_asked[b])) return;
         const auto [low, high] = std::minmax(a, b);
         look_between(leaves[low], leaves[high], setting.blockers, setting.tolerance, view);
-        if (view.facing && !view.blocked) pair.run(low, high, view, result.lists[k], held[k]);
+        if (!view.facing || view.blocked) return;
+        if (view.entered)
+          precise.run(low, high, view, result.lists[k], held[k]);
+        else
+          pair.run(low, high, view, result.lists[k], held[k]);
       });
       if (progress) progress->advance();
     }

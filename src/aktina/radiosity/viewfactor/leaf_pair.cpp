@@ -56,6 +56,18 @@ bool stops_all(const Blocker& blocker, const Leaf& a, const Leaf& b, double tole
       [&](size_t q, size_t k) { return blocker.bounds[k].height(b.hull[q]); });
 }
 
+bool may_reach_through(const Blocker& blocker, const Leaf& leaf, double tolerance) {
+  const double reach = leaf.radius + blocker.radius;
+  if (squared_length(leaf.centre - blocker.centre) > reach * reach) return false;
+  bool front = false, back = false;
+  for (const Contour& face : blocker.faces)
+    for (const Point3d& p : face) {
+      const double height = leaf.plane.height(p);
+      front = front || height > tolerance, back = back || height < -tolerance;
+    }
+  return front && back;
+}
+
 }  // namespace
 
 void LaneHeights::set(const Leaf& leaf, const Blocker& blocker, double tolerance) {
@@ -80,7 +92,7 @@ void LaneHeights::set(const Leaf& leaf, const Blocker& blocker, double tolerance
 }
 
 void look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance, LeafView& view) {
-  view.blocked = view.crowded = false;
+  view.blocked = view.crowded = view.entered = false;
   view.candidates.clear();
   view.facing = reaches(a, b.plane, tolerance) && reaches(b, a.plane, tolerance);
   if (!view.facing) return;
@@ -94,7 +106,9 @@ void look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, dou
     if (apart(a, b, blocker, tolerance)) continue;
     view.blocked = stops_all(blocker, a, b, tolerance);
     if (view.blocked) return;
-    if (!parted(blocker, a, b, tolerance) && !parted(blocker, b, a, tolerance)) view.candidates.push_back(k);
+    if (parted(blocker, a, b, tolerance) || parted(blocker, b, a, tolerance)) continue;
+    view.candidates.push_back(k);
+    view.entered = view.entered || may_reach_through(blocker, a, tolerance) || may_reach_through(blocker, b, tolerance);
   }
 }
 

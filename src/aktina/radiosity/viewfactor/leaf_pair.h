@@ -51,6 +51,7 @@ bool blocks_all(size_t corners_a, size_t corners_b, const Blocker& blocker, doub
 struct LeafView {
   bool facing = false, blocked = false;
   bool crowded = false;  // so many are near that they have not been looked at
+  bool entered = false;  // one of them may reach through one of the leaves: single precision is not enough beside it
   std::vector<uint32_t> candidates;
 };
 void look_between(const Leaf& a, const Leaf& b, const BlockerTree& blockers, double tolerance, LeafView& view);

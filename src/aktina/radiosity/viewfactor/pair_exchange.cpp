@@ -6,6 +6,7 @@
 
 #include "aktina/base/random.h"
 #include "aktina/radiosity/formfactor/polygon_to_polygon.h"
+#include "aktina/radiosity/viewfactor/receiver_cut.h"
 
 namespace aktina {
 namespace {
@@ -234,6 +235,16 @@ void PairExchange<T>::find_between(uint32_t r, uint32_t s) {
 }
 
 template <class T>
+void PairExchange<T>::set_cells(uint32_t r) {
+  cells_set_ = true;
+  pieces_.assign(1, Contour(part_.begin(), part_.end()));
+  for (size_t k = 0; k < blocker_count_; ++k)
+    if (blockers_[k].is_straddled_by(r))
+      cut_where_met(blockers_[k].blocker(), receiver_->plane, setting_.tolerance, pieces_);
+  cells_.set(pieces_, place_.origin, place_.unit);
+}
+
+template <class T>
 Estimate PairExchange<T>::past_blockers(uint32_t r, uint32_t s, Estimate open) {
   if (!crowded_) {
     find_between(r, s);
@@ -243,7 +254,7 @@ Estimate PairExchange<T>::past_blockers(uint32_t r, uint32_t s, Estimate open) {
   const double wanted = 0.25 * setting_.target * smaller / open.value;  // of the visible share
   Estimate share{0, 1};
   if (!crowded_ && blockers_between_ <= kMostClipped) {
-    if (!cells_set_) cells_.set(part_, place_.origin, place_.unit), cells_set_ = true;
+    if (!cells_set_) set_cells(r);
     share = visible_share_by_clipping<T>(
         {parts_[s], receiver_->plane.normal, setting_.tolerance, between_, contours_between_}, cells_, wanted,
         wanted < kRayError);

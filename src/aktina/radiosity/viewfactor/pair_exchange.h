@@ -43,6 +43,7 @@ class PairExchange {
   void unobstructed(uint32_t r, uint32_t sources);
   void by_points(uint32_t r, int n);
   void find_between(uint32_t r, uint32_t s);
+  void set_cells(uint32_t r);
   Estimate past_blockers(uint32_t r, uint32_t s, Estimate open);
   void keep(uint32_t r, uint32_t s, Estimate e);
 
@@ -63,6 +64,7 @@ class PairExchange {
   // Of one receiver.
   std::span<const Point3d> part_;  // in front of the source's plane
   Contour cut_part_;
+  std::vector<Contour> pieces_;
   ReceiverCells<T> cells_;
   bool cells_set_ = false;
   double areas_[kLeaf], errors_[kLeaf];

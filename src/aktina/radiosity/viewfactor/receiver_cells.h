@@ -24,11 +24,12 @@ PointLanes<T> cell_points(const Cell& cell, Point3d origin, double unit) {
 template <class T>
 class ReceiverCells {
  public:
-  /// @param receiver  three to five corners
-  void set(std::span<const Point3d> receiver, Point3d origin, double unit) {
+  /// @param receiver  convex parts
+  void set(std::span<const Contour> receiver, Point3d origin, double unit) {
     origin_ = origin, unit_ = unit;
-    cells_ = cells_of(receiver);
-    coarse_.clear(), fine_.clear();
+    cells_.clear(), coarse_.clear(), fine_.clear();
+    for (const Contour& part : receiver)
+      for (const Cell& cell : cells_of(part)) cells_.push_back(cell);
     for (const Cell& cell : cells_) coarse_.push_back(cell_points<T>(cell, origin_, unit_));
   }
   size_t size() const { return cells_.size(); }

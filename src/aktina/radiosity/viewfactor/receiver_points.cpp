@@ -16,7 +16,7 @@ SurfaceSample on_triangle(const Point3d* q, double u, double v, double weight) {
 }
 
 SurfaceSample on_cell(const Cell& cell, double u, double v, double weight) {
-  u = cell.u + cell.size * u, v = cell.v + cell.size * v, weight *= cell.size * cell.size;
+  u = cell.u + cell.du * u, v = cell.v + cell.dv * v, weight *= cell.du * cell.dv;
   return cell.quad ? on_quad(cell.corners.data(), u, v, weight) : on_triangle(cell.corners.data(), u, v, weight);
 }
 
@@ -41,7 +41,7 @@ std::array<SurfaceSample, 16> gauss_points(const Cell& cell) {
   std::array<SurfaceSample, 16> points;
   const std::span<const GaussPoint> rule = gauss_legendre(4);
   const Point3d* q = cell.corners.data();
-  const Vec3d u = cell.size * (q[1] - q[0]), v = cell.size * (q[3] - q[0]);
+  const Vec3d u = cell.du * (q[1] - q[0]), v = cell.dv * (q[3] - q[0]);
   const Vec3d skew = q[0] - q[1] + q[2] - q[3];
   if (cell.quad && squared_length(skew) <= 1e-24 * squared_length(q[2] - q[0])) {  // a parallelogram: most are
     const Point3d o = q[0] + cell.u * (q[1] - q[0]) + cell.v * (q[3] - q[0]);

@@ -66,7 +66,7 @@ Estimate SightRays::visible_share(std::span<const Point3d> receiver, Vec3d n, st
   if (!built_) return {0, 1};
   const Points receivers(receiver), sources(source);
   const Shifted here(0, seed), there(1, seed);
-  double passed[2] = {}, sum[2] = {};  // of every other packet
+  double passed[2] = {}, sum[2] = {}, squares = 0;  // of weights; of every other packet
   Estimate share{0, 1};
   uint32_t sent = 0;
   // Where any share is good enough, one packet keeps the sum over many pairs right.
@@ -85,16 +85,17 @@ Estimate SightRays::visible_share(std::span<const Point3d> receiver, Vec3d n, st
       const uint32_t blocked = rays_.accelerator().occluded(packet, kAllLanes, Coherence::coherent);
       const int half = int(sent / kPacket) & 1;
       for (int lane = 0; lane < kPacket; ++lane) {
-        sum[half] += weights[lane];
+        sum[half] += weights[lane], squares += weights[lane] * weights[lane];
         if (!(blocked >> lane & 1)) passed[half] += weights[lane];
       }
     }
     if (!(sum[0] + sum[1] > 0)) return {1, 1};
     const double value = (passed[0] + passed[1]) / (sum[0] + sum[1]);
-    const double spread = std::max(value * (1 - value), 1.0 / sent);
+    const double count = (sum[0] + sum[1]) * (sum[0] + sum[1]) / squares;  // of rays that weigh alike
+    const double spread = std::max(value * (1 - value), 1.0 / count);
     // The samples are stratified: the two halves agree better than independent ones would. Neither bounds the error.
     const double apart = sum[0] > 0 && sum[1] > 0 ? std::abs(passed[0] / sum[0] - passed[1] / sum[1]) : 0;
-    share = {value, std::max(apart, 0.3 * std::sqrt(spread / sent))};
+    share = {value, std::max(apart, 0.3 * std::sqrt(spread / count))};
   }
   return share;
 }
