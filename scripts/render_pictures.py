@@ -247,7 +247,8 @@ def formfactor(methods):
 def radiosity(methods):
     scene = box_room()
     for method in methods:
-        solution = scene.radiosity(solver=method, patch_size=0.25, tolerance=1e-3)
+        elements = {"mesher": "quadtree", "indirect_size": 0} if method == "substructured" else {}
+        solution = scene.radiosity(solver=method, patch_size=0.25, tolerance=1e-3, **elements)
         write("radiosity", method, solution.render(WIDTH, HEIGHT, samples=16), 0.03)
 
 

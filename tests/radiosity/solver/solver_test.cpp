@@ -116,7 +116,7 @@ TEST_P(EverySolver, StopsWhenCancelledAndKeepsWhatItHas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Radiosity, EverySolver,
-                         testing::Values("progressive", "matrix", "jacobi", "overrelaxed", "southwell",
+                         testing::Values("progressive", "substructured", "matrix", "jacobi", "overrelaxed", "southwell",
                                          "conjugate_gradient", "gmres"),
                          [](const auto& each) { return each.param; });
 

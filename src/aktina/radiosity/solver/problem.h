@@ -90,6 +90,22 @@ struct RadiosityState {
   }
 };
 
+/// Receivers that can be split while a solver is at work, where the light on them changes fast.
+class ElementSplitter {
+ public:
+  static constexpr uint32_t kNew = 0xffffffff;
+  virtual ~ElementSplitter() = default;
+  /// Splits by the irradiances of `state`. Receivers are those of problem() and factors() from then on, and what was
+  /// given for the ones before is gone; shooters stay the same, of other ranges. @return  whether any was split
+  virtual bool split(const RadiosityState& state) = 0;
+  virtual const RadiosityProblem& problem() const = 0;
+  virtual const FactorSource& factors() const = 0;
+  /// By receiver: which one it was before the last split, or kNew.
+  virtual std::span<const uint32_t> origins() const = 0;
+  /// As FactorSource::column, of the new receivers only, in order.
+  virtual void column_of_new(size_t shooter, std::span<double> factors) const = 0;
+};
+
 struct SolverControl {
   double tolerance = 1e-3;
   double target_error = 0.01;  // relative, of irradiances, where a solver draws samples
@@ -98,6 +114,7 @@ struct SolverControl {
   Progress* progress = nullptr;
   Checkpoint* checkpoint = nullptr;  // keeps what is done so far; may be null
   std::function<void(const RadiosityState&)> each_step{};
+  ElementSplitter* splitter = nullptr;  // for solvers that split receivers as they go; may be null
   bool stopped(uint64_t steps) const {
     return (progress && progress->cancelled()) || (most_steps > 0 && steps >= most_steps);
   }

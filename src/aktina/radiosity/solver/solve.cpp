@@ -11,8 +11,8 @@
 #include "aktina/radiosity/solver/adaptive_direct.h"
 #include "aktina/radiosity/solver/direct_apart.h"
 #include "aktina/radiosity/solver/direct_light.h"
+#include "aktina/radiosity/solver/patch_elements.h"
 #include "aktina/radiosity/solver/quality.h"
-#include "aktina/radiosity/solver/receiver_surfaces.h"
 #include "aktina/radiosity/solver/reconstruct.h"
 #include "aktina/radiosity/solver/shots.h"
 #include "aktina/radiosity/solver/solver.h"
@@ -81,52 +81,28 @@ SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
   return control;
 }
 
-/// All light on all patches.
-class SolveOnPatches {
- public:
-  SolveOnPatches(const Scene& scene, const Sides& sides, const Visibility& visibility, const RadiosityOptions& options,
-                 Progress* progress, Checkpoint* checkpoint)
-      : sides_(sides),
-        geometry_(sides),
-        surfaces_(scene, geometry_, visibility),
-        lamps_(checkpoint, "light of lamps", has_lamps(scene) ? sides.size() : 0),
-        problem_(sides.problem()) {
-    if (is_ray_cast(options.formfactor))
-      factors_ = std::make_unique<RayCastShots>(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor),
-                                                options.seed);
-    else
-      factors_ = std::make_unique<RowShots>(sides, make_method(formfactors(), "formfactor", options.formfactor));
-    direct_light(scene, sides, sides.all(), visibility, options.seed, progress, lamps_);
-    for (const Rgb lamps : lamps_.values)
-      for (int c = 0; c < 3; ++c) problem_.arriving.push_back(double(lamps[c]));
-  }
-
-  void solve(const RadiositySolver& solver, const RadiosityOptions& options, SolverControl control,
-             Solution& solution) const {
-    const auto take = [&](const RadiosityState& state) {
-      const auto of = [](const std::vector<double>& v) {
-        return [&v](size_t s) { return Rgb(float(v[3 * s]), float(v[3 * s + 1]), float(v[3 * s + 2])); };
-      };
-      copy(sides_, of(state.irradiances), solution.irradiances, solution.back_irradiances);
-      copy(sides_, of(state.direct), solution.direct_irradiances, solution.back_direct_irradiances);
-      fill(solution, state);
+/// All light on all patches. Solvers that do not split patches themselves begin anew on finer ones.
+void solve_on_patches(PatchElements& elements, const RadiositySolver& solver, const RadiosityOptions& options,
+                      SolverControl control, Solution& solution) {
+  const auto take = [&](const RadiosityState& state) {
+    const auto of = [](const std::vector<double>& v) {
+      return [&v](size_t s) { return Rgb(float(v[3 * s]), float(v[3 * s + 1]), float(v[3 * s + 2])); };
     };
-    if (options.each_step)
-      control.each_step = [&](const RadiosityState& state) {
-        take(state);
-        options.each_step({state.steps, state.unshot_share, ambient_light(problem_, state), &solution});
-      };
-    take(solver.solve(problem_, *factors_, control));
-  }
-
- private:
-  const Sides& sides_;
-  ShotGeometry geometry_;
-  ReceiverSurfaces surfaces_;
-  KeptList<Rgb> lamps_;
-  std::unique_ptr<FactorSource> factors_;
-  RadiosityProblem problem_;
-};
+    copy(elements.sides(), of(state.irradiances), solution.irradiances, solution.back_irradiances);
+    copy(elements.sides(), of(state.direct), solution.direct_irradiances, solution.back_direct_irradiances);
+    fill(solution, state);
+  };
+  if (options.each_step)
+    control.each_step = [&](const RadiosityState& state) {
+      take(state);
+      options.each_step({state.steps, state.unshot_share, ambient_light(elements.problem(), state), &solution});
+    };
+  if (elements.can_split()) control.splitter = &elements, control.checkpoint = nullptr;  // iterates change their size
+  RadiosityState state;
+  do state = solver.solve(elements.problem(), elements.factors(), control);
+  while (state.converged && elements.split(state));
+  take(state);
+}
 
 void solve_apart(const DirectApart& apart, const RadiositySolver& solver, const Sides& sides,
                  const RadiosityOptions& options, SolverControl control, Solution& solution) {
@@ -182,9 +158,8 @@ Solution solve_radiosity(const Scene& scene, const RadiosityOptions& given, Prog
     solve_apart(DirectApart(*tessellated, sides, visibility, options, mesh, std::move(direct), progress, kept), *solver,
                 sides, options, control, solution);
   } else {
-    const Sides sides(solution.mesh);
-    SolveOnPatches(*tessellated, sides, visibility, options, progress, control.checkpoint)
-        .solve(*solver, options, control, solution);
+    PatchElements elements(*tessellated, visibility, refinement, options, solution.mesh, progress, control.checkpoint);
+    solve_on_patches(elements, *solver, options, control, solution);
   }
   reconstruct_vertices(solution);
   return solution;
