@@ -116,8 +116,8 @@ TEST_P(EverySolver, StopsWhenCancelledAndKeepsWhatItHas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Radiosity, EverySolver,
-                         testing::Values("progressive", "substructured", "matrix", "jacobi", "overrelaxed", "southwell",
-                                         "conjugate_gradient", "gmres"),
+                         testing::Values("progressive", "overshooting", "substructured", "matrix", "jacobi",
+                                         "overrelaxed", "southwell", "conjugate_gradient", "gmres"),
                          [](const auto& each) { return each.param; });
 
 TEST(Progressive, KeepsItsInvariantsAtEveryStep) {

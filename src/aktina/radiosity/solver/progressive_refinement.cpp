@@ -14,7 +14,8 @@ constexpr size_t kGrain = 64;  // shooters
 
 }  // namespace
 
-ProgressiveRefinement::ProgressiveRefinement(const RadiosityProblem& p) : p_(&p), emission_left_(p.shooters.size(), 1) {
+ProgressiveRefinement::ProgressiveRefinement(const RadiosityProblem& p, Shot shot)
+    : p_(&p), shot_(shot), emission_left_(p.shooters.size(), 1) {
   state_.irradiances = p.arriving;
   state_.irradiances.resize(p.size() * p.bands, 0);
   state_.direct = state_.irradiances;
@@ -22,7 +23,13 @@ ProgressiveRefinement::ProgressiveRefinement(const RadiosityProblem& p) : p_(&p)
   state_.emitted = p.emitted();
   power_.resize(p.shooters.size());
   received_.resize(p.shooters.size());
-  for (size_t i = 0; i < power_.size(); ++i) power_[i] = flux(state_.unshot, p.shooters[i]);
+  for (size_t i = 0; i < power_.size(); ++i) {
+    power_[i] = flux(state_.unshot, p.shooters[i]);
+    const std::vector<double> reflectance = mean(p.reflectances, p.shooters[i]);
+    double area = 0;
+    for (size_t s = p.shooters[i].first; s < p.shooters[i].first + p.shooters[i].count; ++s) area += p.areas[s];
+    for (const double r : reflectance) reflecting_.push_back(area * r);
+  }
   measure();
 }
 
@@ -52,18 +59,54 @@ std::vector<double> ProgressiveRefinement::mean(const std::vector<double>& value
   return sums;
 }
 
+/// By band: the radiosity that all light not yet distributed would have if it were spread evenly, with all its
+/// reflections; 0 where shots leave it out.
+std::vector<double> ProgressiveRefinement::ambient() const {
+  std::vector<double> ambient(p_->bands, 0);
+  if (shot_ == Shot::unshot) return ambient;
+  double area = 0;
+  for (const double a : p_->areas) area += a;
+  for (size_t b = 0; b < p_->bands; ++b) {
+    double unshot = 0, reflecting = 0;
+    for (size_t s = 0; s < p_->size(); ++s) {
+      unshot += p_->areas[s] * state_.unshot[s * p_->bands + b];
+      reflecting += p_->areas[s] * p_->reflectances[s * p_->bands + b];
+    }
+    ambient[b] = unshot / (area - reflecting);
+  }
+  return ambient;
+}
+
+/// The shooter that has most to send, of either sign.
+size_t ProgressiveRefinement::brightest(const std::vector<double>& ambient) const {
+  size_t best = 0;
+  double most = -1;
+  for (size_t i = 0; i < power_.size(); ++i) {
+    double power = power_[i];
+    for (size_t b = 0; b < p_->bands && shot_ == Shot::with_ambient; ++b)
+      power += p_->weights[b] * ambient[b] * reflecting_[i * p_->bands + b];
+    if (std::abs(power) > most) most = std::abs(power), best = i;
+  }
+  return best;
+}
+
 void ProgressiveRefinement::step(const FactorSource& source) {
-  const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const size_t i = size_t(std::max_element(power_.begin(), power_.end(), by_size) - power_.begin());
+  const std::vector<double> around = ambient();
+  const size_t i = brightest(around);
   const auto range = p_->shooters[i];
   factors_.resize(p_->size());
   source.column(i, factors_);
-  const std::vector<double> all = mean(state_.unshot, range);
   std::vector<double> own(p_->bands, 0);
   if (emission_left_[i]) own = mean(p_->emissions, range);
   emission_left_[i] = 0;
-  const double sent = power_[i];
-  std::fill_n(state_.unshot.begin() + std::ptrdiff_t(range.first * p_->bands), range.count * p_->bands, 0.0);
+  std::vector<double> all = mean(state_.unshot, range);
+  const std::vector<double> reflectance = mean(p_->reflectances, range);
+  for (size_t b = 0; b < p_->bands; ++b) all[b] += reflectance[b] * around[b];
+  const double before = power_[i];
+  for (size_t s = range.first; s < range.first + range.count; ++s)
+    for (size_t b = 0; b < p_->bands; ++b)
+      state_.unshot[s * p_->bands + b] = -p_->reflectances[s * p_->bands + b] * around[b];
+  const double sent = before - flux(state_.unshot, range);
   parallel_for(p_->shooters.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) receive(k, all, own);
   });

@@ -100,6 +100,8 @@ constexpr Claim kClaims[] = {
     {"formfactor", "cubic_tetrahedron", "is quicker than the hemicube at the same error", "berankoehn1991",
      [](const Evidence& e) { return nearer_at_equal_time(e, "hemicube"); }},
     {"radiosity", "progressive", "shows a useful picture before the matrix is solved", "cohen1988", early_answer},
+    {"radiosity", "overshooting", "takes fewer shots than progressive refinement", "feda1992",
+     [](const Evidence& e) { return fewer_steps(e, "progressive", 1); }},
     {"radiosity", "matrix", "takes about half the sweeps of Jacobi's iteration", "goral1984",
      [](const Evidence& e) { return fewer_steps(e, "jacobi", 0.65); }},
     {"radiosity", "overrelaxed", "takes fewer sweeps than Gauss and Seidel", "young1954",
