@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "aktina/base/error.h"
+#include "aktina/radiosity/viewfactor/gray_body.h"
 #include "aktina/render/view_factor_job.h"
 #include "arrays.h"
 #include "rooms.h"
@@ -38,6 +39,45 @@ ViewFactorArrays compute(const ViewFactorScene& surfaces, double target_error, b
   });
 }
 
+std::vector<GrayBody> gray_bodies(const Rows<const double>& emissivities, const Rows<const double>& temperatures,
+                                  const Rows<const double>& fluxes) {
+  std::vector<GrayBody> bodies;
+  for (size_t i = 0; i < emissivities.size(); ++i)
+    bodies.push_back({*emissivities.row(i), *temperatures.row(i), *fluxes.row(i)});
+  return bodies;
+}
+
+/// Values of one kind; the array keeps them.
+Array owned(std::vector<double> values) {
+  const auto kept = std::make_shared<const std::vector<double>>(std::move(values));
+  return array_view<double>(kept, kept->data(), {py::ssize_t(kept->size())});
+}
+
+py::dict exchange(const ViewFactorArrays& arrays, const py::buffer& emissivities, const py::buffer& temperatures,
+                  const py::buffer& fluxes) {
+  const std::vector<GrayBody> bodies =
+      gray_bodies({emissivities, 1, "emissivity"}, {temperatures, 1, "temperature"}, {fluxes, 1, "flux"});
+  GrayExchange found = run(py::none(), [&](Progress&) { return gray_exchange(*arrays.factors, bodies); });
+  py::dict result;
+  result["gebhart"] = owned(std::move(found.gebhart));
+  result["script_F"] = owned(std::move(found.script_f));
+  result["escaped"] = owned(std::move(found.escaped));
+  return result;
+}
+
+py::dict balance(const ViewFactorArrays& arrays, const py::buffer& emissivities, const py::buffer& temperatures,
+                 const py::buffer& fluxes, double surroundings) {
+  const std::vector<GrayBody> bodies =
+      gray_bodies({emissivities, 1, "emissivity"}, {temperatures, 1, "temperature"}, {fluxes, 1, "flux"});
+  GrayBalance found = run(py::none(), [&](Progress&) { return gray_balance(*arrays.factors, bodies, surroundings); });
+  py::dict result;
+  result["temperatures"] = owned(std::move(found.temperatures));
+  result["radiosities"] = owned(std::move(found.radiosities));
+  result["fluxes"] = owned(std::move(found.fluxes));
+  result["net"] = found.net;
+  return result;
+}
+
 }  // namespace
 
 void bind_view_factors(py::module_& m) {
@@ -55,6 +95,8 @@ void bind_view_factors(py::module_& m) {
       .def_property_readonly("indptr", [](const A& a) { return a.of(a.factors->starts); })
       .def_property_readonly("indices", [](const A& a) { return a.of(a.factors->columns); })
       .def_property_readonly("data", [](const A& a) { return a.of(a.factors->factors); })
+      .def("gray_exchange", &exchange)
+      .def("gray_balance", &balance)
       .def_property_readonly("errors", [](const A& a) { return a.of(a.factors->errors); });
   m.def("surfaces_of_scene",
         [](const Scene& scene, const std::string& by) { return surfaces_of(scene, surfaces_by(by)); });

@@ -129,6 +129,13 @@ class ViewFactors:
     def shape(self) -> tuple[int, int]: ...
     @property
     def F(self) -> NDArray[np.float64]: ...
+    def gray_body(
+        self,
+        emissivity: ArrayLike = 0.9,
+        temperature: ArrayLike | None = None,
+        flux: ArrayLike | None = None,
+        surroundings: float = 0.0,
+    ) -> dict[str, Any]: ...
 
 def view_factors(
     scene: Scene | str | os.PathLike[str],

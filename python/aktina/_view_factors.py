@@ -5,7 +5,8 @@ import os
 import numpy as np
 
 from . import _core
-from ._arrays import number
+from ._arrays import number, numbers
+from ._errors import UsageError
 from ._scene import Scene
 
 
@@ -19,6 +20,7 @@ class ViewFactors:
     """
 
     def __init__(self, arrays):
+        self._arrays = arrays
         self.names = arrays.names
         self.certificate = json.loads(arrays.certificate)
         self.areas, self.data, self.errors = (np.asarray(a) for a in (arrays.areas, arrays.data, arrays.errors))
@@ -35,6 +37,46 @@ class ViewFactors:
         dense = np.zeros(self.shape)
         dense[np.repeat(np.arange(len(self.areas)), np.diff(self.indptr)), self.indices] = self.data
         return dense
+
+    def gray_body(self, emissivity=0.9, temperature=None, flux=None, surroundings=0.0):
+        """Exchange of heat between the surfaces, grey and diffuse.
+
+        emissivity : one for all, or (N,), above 0 and at most 1; equal to the absorptance.
+        temperature, flux : (N,) or one for all: K, and W/m^2 of net heat that the surface loses (0: adiabatic). Of each
+            surface one of the two must be known, NaN stands for what is not; with neither array no balance is made.
+        surroundings : K, of what is seen through openings, black.
+        Returns a dict: "gebhart" (N, N): the share of what i emits that j absorbs, with all reflections; "script_F"
+            (N, N): emissivity times that; "escaped" (N,). With a balance (Oppenheim's network) also "temperatures" K,
+            "radiosities" and "fluxes" W/m^2 (N,), and "net" W, what escapes.
+        Raises BadParam (an emissivity outside, a surface with both or neither known, a negative temperature, a flux
+            that would need one), BadInput (no finite solution), LimitExceeded, UsageError (a shape that does not fit).
+        Source: gebhart1961, oppenheim1956.
+
+        >>> import aktina
+        >>> quads = [[0, 1, 2], [0, 2, 3]]
+        >>> floor = {"vertices": [[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0]], "triangles": quads}
+        >>> lid = {"vertices": [[0, 0, .01], [0, 9, .01], [9, 9, .01], [9, 0, .01]], "triangles": quads}
+        >>> heat = aktina.view_factors(aktina.Scene([floor, lid])).gray_body(0.5, [400, 300])
+        >>> round(float(heat["fluxes"][0]), 1)  # 330.8 between endless plates
+        332.8
+        """
+        n = len(self.areas)
+        emissivities = self._each("emissivity", numbers("emissivity", emissivity, np.float64))
+        known = [self._each(name, np.asarray(np.nan if values is None else values, float))
+                 for name, values in (("temperature", temperature), ("flux", flux))]
+        result = self._arrays.gray_exchange(emissivities, *known)
+        if temperature is not None or flux is not None:
+            result |= self._arrays.gray_balance(emissivities, *known,
+                                                number("surroundings", surroundings, 0, 1e6))
+        found = {name: values if name == "net" else np.asarray(values) for name, values in result.items()}
+        for name in ("gebhart", "script_F"):
+            found[name] = found[name].reshape(n, n)
+        return found
+
+    def _each(self, name, values):
+        if values.shape not in ((), self.areas.shape):
+            raise UsageError(f"has shape {values.shape}", name, f"one number, or ({len(self.areas)},)")
+        return np.ascontiguousarray(np.broadcast_to(values, self.areas.shape))
 
     def __repr__(self):
         return f"<aktina.ViewFactors: {len(self.areas)} surfaces, {len(self.data)} factors above 0>"

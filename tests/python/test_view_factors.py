@@ -34,6 +34,39 @@ class ViewFactors(unittest.TestCase):
         f = aktina.view_factors(aktina.Scene([ROOM]), by="object")
         np.testing.assert_allclose(f.F, [[1]], atol=1e-9)
 
+    def test_gray_bodies_of_a_cube(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]))
+        emissivity = np.array([0.3, 0.9, 0.5, 0.7, 1, 0.2])
+        heat = f.gray_body(emissivity)
+        self.assertEqual(set(heat), {"gebhart", "script_F", "escaped"}, "nothing is known that could be balanced")
+        b = np.linalg.solve(np.eye(6) - f.F * (1 - emissivity), f.F * emissivity)
+        np.testing.assert_allclose(heat["gebhart"], b, atol=1e-12)
+        np.testing.assert_allclose(heat["script_F"], emissivity[:, None] * b, atol=1e-12)
+        np.testing.assert_allclose(heat["escaped"], 0, atol=1e-8)
+        np.testing.assert_allclose(heat["script_F"], heat["script_F"].T, atol=1e-8)
+
+    def test_balance_of_a_cube(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]))
+        temperature = np.array([500, np.nan, 300, 320, np.nan, 280])
+        flux = np.where(np.isnan(temperature), 0, np.nan)
+        heat = f.gray_body(0.8, temperature, flux)
+        sigma = 5.670374419e-8
+        power = (heat["script_F"] * (heat["temperatures"][:, None] ** 4 - heat["temperatures"] ** 4) * sigma).sum(axis=1)
+        np.testing.assert_allclose(heat["fluxes"], power, atol=1e-6)
+        np.testing.assert_allclose(heat["fluxes"][[1, 4]], 0, atol=1e-9)
+        self.assertAlmostEqual(heat["net"], 0, delta=1e-6)
+
+    def test_faults_of_gray_bodies(self):
+        f = aktina.view_factors(aktina.Scene([ROOM]))
+        with self.assertRaises(aktina.BadParam):
+            f.gray_body(1.5)
+        with self.assertRaises(aktina.BadParam):
+            f.gray_body(0.5, temperature=[300, 300, 300, 300, 300, np.nan])
+        with self.assertRaises(aktina.UsageError):
+            f.gray_body([0.5, 0.6])
+        with self.assertRaises(aktina.BadInput):
+            f.gray_body(0.5, flux=0)
+
     def test_faults(self):
         with self.assertRaises(aktina.UsageError):
             aktina.view_factors(aktina.Scene([ROOM]), by="vertex")
