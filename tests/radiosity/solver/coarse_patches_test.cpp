@@ -26,7 +26,7 @@ TEST(CoarsePatches, EachSideIsInOneAndAreasAddUp) {
   const PatchMesh mesh = mesh_of(scene, 0.1, 1);
   const Sides sides(mesh);
   const std::vector<uint8_t> none(sides.size(), 0);
-  const CoarsePatches patches(sides, 0.25, none);
+  const CoarsePatches patches(sides, 0.25, none, Visibility(scene));
   EXPECT_LT(patches.size(), sides.size() / 3);
   std::vector<int> count(sides.size(), 0);
   double area = 0;
@@ -47,7 +47,7 @@ TEST(CoarsePatches, PlacesAreSpreadEvenly) {
   const Scene scene = room_with_box();
   const PatchMesh mesh = mesh_of(scene, 0.1, 2);
   const Sides sides(mesh);
-  const CoarsePatches patches(sides, 0.5, std::vector<uint8_t>(sides.size(), 0));
+  const CoarsePatches patches(sides, 0.5, std::vector<uint8_t>(sides.size(), 0), Visibility(scene));
   size_t largest = 0;
   for (size_t i = 0; i < patches.size(); ++i)
     if (patches.sides(i).size() > patches.sides(largest).size()) largest = i;
@@ -69,8 +69,23 @@ TEST(CoarsePatches, ShelvesInOneCellStayApart) {
   mesh.triangles.push_back({4, 5, 6}), mesh.triangles.push_back({4, 6, 7});
   const PatchMesh patch_mesh = mesh_of(scene, 0.1, 1);
   const Sides sides(patch_mesh);
-  const CoarsePatches patches(sides, 10, std::vector<uint8_t>(sides.size(), 0));
+  const CoarsePatches patches(sides, 10, std::vector<uint8_t>(sides.size(), 0), Visibility(scene));
   EXPECT_EQ(patches.size(), 2U);
+}
+
+TEST(CoarsePatches, AWallKeepsThemApart) {
+  Scene scene;
+  add_quad(scene, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, Rgb(0.5f));
+  add_quad(scene, {0.43f, 0, 0}, {0, 0, 1}, {0, 1, 0}, Rgb(0.5f));
+  scene.materials[1].double_sided = true;
+  const PatchMesh mesh = mesh_of(scene, 0.05, 1);
+  const Sides sides(mesh);
+  const CoarsePatches patches(sides, 0.3, std::vector<uint8_t>(sides.size(), 0), Visibility(scene));
+  for (size_t i = 0; i < patches.size(); ++i)
+    for (const uint32_t s : patches.sides(i))
+      if (mesh.centres[sides.patch(s)].instance == 0) {
+        EXPECT_EQ(sides.centre(s).x < 0.43f, patches.centre(i).x < 0.43f) << sides.centre(s).x;
+      }
 }
 
 TEST(ShooterHits, WhatStandsUnderABoxIsBuried) {
@@ -94,8 +109,8 @@ TEST(CoarseInterpolation, ConstantsAndLinearFieldsAreKept) {
   const PatchMesh mesh = mesh_of(scene, 0.05, 4);
   const Sides sides(mesh);
   const std::vector<uint8_t> none(sides.size(), 0);
-  const CoarsePatches patches(sides, 0.2, none);
   const Visibility visibility(scene);
+  const CoarsePatches patches(sides, 0.2, none, visibility);
   const CoarseInterpolation interpolation(patches, sides, visibility);
   std::vector<double> values;
   for (size_t i = 0; i < patches.size(); ++i) {

@@ -67,9 +67,9 @@ TEST(ReceiverSurfaces, CoarsePatchesHaveAllTheirSidesThatCount) {
   const PatchMesh mesh = mesh_of(scene);
   const Sides sides(mesh);
   const std::vector<uint8_t> buried = ShooterHits(sides).buried();
-  const CoarsePatches patches(sides, 0.5, buried);
-  const ShotGeometry geometry(sides, patches, false);
   const Visibility visibility(scene);
+  const CoarsePatches patches(sides, 0.5, buried, visibility);
+  const ShotGeometry geometry(sides, patches, false);
   double counted = 0;
   for (size_t i = 0; i < patches.size(); ++i) counted += patches.area(i);
   EXPECT_LT(counted, kArea - 0.1) << "floor below the box";

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "aktina/base/error.h"
 #include "aktina/base/parallel.h"
@@ -31,6 +33,41 @@ TEST(SolveRadiosity, UniformEmissionGivesTheFurnace) {
     for (const Radiosity b : s.radiosities) EXPECT_NEAR(b.v.g, 20, off) << "E / (1 - rho), everywhere";
     for (const Radiosity b : s.vertex_radiosities) EXPECT_NEAR(b.v.g, 20, off);
   }
+}
+
+/// Two rooms in one box, the lamp in the first; turned, so that nothing lies along an axis.
+Scene two_rooms(bool thick) {
+  Scene scene = room({6, 2.5f, 3}, Rgb(0.7f));
+  add_quad(scene, {1, 2.49f, 1}, {0.6f, 0, 0}, {0, 0, 0.6f}, Rgb(0), Rgb(3000));
+  if (thick)
+    add_box(scene, {3, -0.1f, -0.1f}, {0.2f, 2.7f, 3.2f}, Rgb(0.7f));
+  else
+    for (const float z : {0.0f, 1.5f}) {
+      add_quad(scene, {3, 0, z}, {0, 0, 1.5f}, {0, 2.5f, 0}, Rgb(0.7f));
+      scene.materials.back().double_sided = true;
+    }
+  const Mat4 turn = glm::rotate(glm::rotate(Mat4(1), 0.4f, Vec3(0, 0, 1)), 0.7f, Vec3(1, 0, 0));
+  for (Instance& instance : scene.instances) instance.to_world = turn * instance.to_world;
+  return scene;
+}
+
+TEST(SolveRadiosity, AWallLetsNoLightThrough) {
+  for (const char* mesher : {"uniform", "quadtree", "discontinuity"})
+    for (const bool thick : {false, true}) {
+      const Solution s = solve_radiosity(two_rooms(thick), {.mesher = mesher, .quality = "draft"});
+      const Vec3 along(Mat3(glm::rotate(glm::rotate(Mat4(1), 0.4f, Vec3(0, 0, 1)), 0.7f, Vec3(1, 0, 0)))[0]);
+      double bright = 0, dark = 0, bright_area = 0, dark_area = 0;
+      for (size_t i = 0; i < s.mesh.size(); ++i) {
+        ASSERT_GT(s.mesh.areas[i], 0);
+        ASSERT_TRUE(std::isfinite(s.irradiances[i].v.g));
+        Point3 p(0);
+        for (const uint32_t v : s.mesh.patches[i]) p += 0.25f * s.mesh.positions[v];
+        const double area = double(s.mesh.areas[i]), flux = area * double(s.irradiances[i].v.g);
+        (dot(along, p) > 3.001f ? dark : bright) += flux, (dot(along, p) > 3.001f ? dark_area : bright_area) += area;
+      }
+      const double most = thick ? 0.1 : 2e-4;  // of the thick wall, one side is lit
+      EXPECT_LT(dark / dark_area, most * bright / bright_area) << mesher;
+    }
 }
 
 TEST(SolveRadiosity, ProgressiveRefinementConvergesToTheMatrixSolution) {

@@ -20,6 +20,14 @@ uint32_t PatchBuilder::add_vertex(const SourceFace& face, Point3 p) {
   return uint32_t(mesh_.positions.size()) - 1;
 }
 
+/// Along the normal.
+Vec3d PatchBuilder::twice_area(const Corners& c) const {
+  const auto p = [&](size_t k) { return Vec3d(mesh_.positions[c[k]]); };
+  return c[2] != c[3] ? cross(p(2) - p(0), p(3) - p(1)) : cross(p(1) - p(0), p(2) - p(0));
+}
+
+bool PatchBuilder::has_area(const Corners& c) const { return float(length(twice_area(c)) / 2) > 0; }
+
 void PatchBuilder::add_patch(const SourceFace& face, const Corners& c) {
   if (mesh_.size() >= most_)
     throw Error(Code::limit, "most_patches", fmt::format("the scene needs more than {} patches", most_),
@@ -27,8 +35,7 @@ void PatchBuilder::add_patch(const SourceFace& face, const Corners& c) {
   const bool quad = c[2] != c[3];
   const std::array<Point3, 4> p = {mesh_.positions[c[0]], mesh_.positions[c[1]], mesh_.positions[c[2]],
                                    mesh_.positions[c[3]]};
-  const Vec3d twice = quad ? cross(Vec3d(p[2]) - Vec3d(p[0]), Vec3d(p[3]) - Vec3d(p[1]))
-                           : cross(Vec3d(p[1]) - Vec3d(p[0]), Vec3d(p[2]) - Vec3d(p[0]));
+  const Vec3d twice = twice_area(c);
   const Point3 centre = quad ? 0.25f * (p[0] + p[1] + p[2] + p[3]) : (p[0] + p[1] + p[2]) * (1.0f / 3);
   const PatchMaterial material = materials_->average(face, p);
   mesh_.patches.push_back(c);

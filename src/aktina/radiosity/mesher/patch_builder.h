@@ -20,12 +20,17 @@ class PatchBuilder {
   /// The faces that follow are of this instance; `faces` must outlive the calls.
   void begin(uint32_t instance, const SourceFaces& faces);
   uint32_t add_vertex(const SourceFace& face, Point3 p);
-  /// A part of the face, planar and convex. Shooters are the caller's. @throws Error limit (too many patches)
+  /// Whether the corners, as rounded to floats, bound an area: slivers between cuts may not, and are no patches.
+  bool has_area(const Corners& corners) const;
+  /// A part of the face, planar, convex and with an area. Shooters are the caller's. @throws Error limit (too many
+  /// patches)
   void add_patch(const SourceFace& face, const Corners& corners);
   /// Patches whose materials reflect more than kMostReflectance.
   uint64_t clamped() const { return clamped_; }
 
  private:
+  Vec3d twice_area(const Corners& corners) const;
+
   PatchMesh& mesh_;
   const Scene& scene_;
   uint64_t most_, clamped_ = 0;

@@ -7,8 +7,8 @@
 
 namespace aktina {
 
-/// Of the light that does not go straight through. Beyond it light would not die away; what goes through takes its light
-/// along and is no reason to lower a reflectance.
+/// Of the light that does not go straight through. Beyond it light would not die away; what goes through takes its
+/// light along and is no reason to lower a reflectance.
 inline constexpr float kMostReflectance = 0.99f;
 
 struct PatchMaterial {

@@ -81,7 +81,13 @@ void Subdivision::open_shooter(const Corners& outline) {
   mesh_.shooters.push_back({uint32_t(mesh_.size()), 0, outline});
 }
 
+void Subdivision::close_shooter() {
+  if (mesh_.shooters.back().count == 0) mesh_.shooters.pop_back();
+  in_shooter_ = false;
+}
+
 void Subdivision::add_patch(const Corners& c) {
+  if (!builder_.has_area(c)) return;
   builder_.add_patch(*face_, c);
   ++mesh_.shooters.back().count;
 }
@@ -156,7 +162,7 @@ void Subdivision::cut(const Region& r) {
     cut_triangle(r);
   else
     cut_quad(r);
-  if (opens) in_shooter_ = false;
+  if (opens) close_shooter();
 }
 
 /// Across the longest side that has vertices, at the one nearest its middle.
@@ -166,8 +172,11 @@ void Subdivision::cut_triangle(const Region& r) {
     if (r.pieces(k) > 1 && (longest == 3 || length_of(r.sides[k]) > length_of(r.sides[longest]) * (1 + 1e-6)))
       longest = k;
   if (longest == 3) {
-    if (!in_shooter_) open_shooter(corners(r));
-    return add_patch(corners(r));
+    const bool opens = !in_shooter_;
+    if (opens) open_shooter(corners(r)), in_shooter_ = true;
+    add_patch(corners(r));
+    if (opens) close_shooter();
+    return;
   }
   const Side base = r.sides[longest], up = r.sides[(longest + 1) % 3], down = r.sides[(longest + 2) % 3];
   size_t middle = 1;
@@ -297,7 +306,7 @@ void Subdivision::add_block(size_t column, size_t columns, size_t row, size_t ro
     add_block(column, columns, row, rows / 2);
     add_block(column, columns, row + rows / 2, rows - rows / 2);
   }
-  if (opens) in_shooter_ = false;
+  if (opens) close_shooter();
 }
 
 }  // namespace aktina

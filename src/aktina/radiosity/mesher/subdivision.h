@@ -54,6 +54,7 @@ class Subdivision {
   uint32_t add_vertex(Point3 p) { return builder_.add_vertex(*face_, p); }
   void add_patch(const Corners& c);
   void open_shooter(const Corners& outline);
+  void close_shooter();
 
   double distance(uint32_t a, uint32_t b) const {
     return length(Vec3d(mesh_.positions[a]) - Vec3d(mesh_.positions[b]));

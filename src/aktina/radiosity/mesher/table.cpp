@@ -6,7 +6,8 @@ namespace aktina {
 extern const Method<std::unique_ptr<Mesher>> uniform_mesher, quadtree_mesher, discontinuity_mesher;
 
 std::span<const Method<std::unique_ptr<Mesher>>* const> meshers() {
-  static constexpr const Method<std::unique_ptr<Mesher>>* kTable[] = {&uniform_mesher, &quadtree_mesher, &discontinuity_mesher};
+  static constexpr const Method<std::unique_ptr<Mesher>>* kTable[] = {&uniform_mesher, &quadtree_mesher,
+                                                                      &discontinuity_mesher};
   return kTable;
 }
 

@@ -10,8 +10,9 @@
 namespace aktina {
 namespace {
 
-constexpr int kFacets = 3;         // squares along a side of the cube of directions
-constexpr float kShift = 0.3819f;  // of a cell: planes at round coordinates do not lie between cells
+constexpr int kFacets = 3;             // squares along a side of the cube of directions
+constexpr float kSightHeight = 0.15f;  // of the distance, at which members must see each other
+constexpr float kShift = 0.3819f;      // of a cell: planes at round coordinates do not lie between cells
 
 /// Which square of a cube about the origin a direction goes through.
 uint32_t facet_of(Vec3 n) {
@@ -43,6 +44,40 @@ Point3 middle_of(const std::array<Point3, 4>& c) {
   return c[2] != c[3] ? 0.25f * (c[0] + c[1] + c[2] + c[3]) : (c[0] + c[1] + c[2]) * (1.0f / 3);
 }
 
+bool all_buried(const Sides::Shooter& shooter, const std::vector<uint8_t>& buried) {
+  const auto begin = buried.begin() + shooter.range.first;
+  return std::all_of(begin, begin + shooter.range.count, [](uint8_t b) { return b != 0; });
+}
+
+/// By shooter: its set, or the first one of those that are hidden from the set's first one that is not buried.
+std::vector<uint32_t> part_by_sight(std::span<const Sides::Shooter> shooters, const std::vector<uint8_t>& buried,
+                                    Sets& sets, const Visibility& visibility) {
+  constexpr uint32_t kNone = 0xffffffff;
+  std::vector<uint32_t> from(shooters.size(), kNone), part(shooters.size()), hidden(shooters.size(), kNone);
+  std::vector<float> seen(shooters.size(), 1);
+  VisibilityQueue queue(visibility, Coherence::coherent, seen.data());
+  for (uint32_t i = 0; i < shooters.size(); ++i) {
+    part[i] = sets.find(i);
+    uint32_t& first = from[part[i]];
+    if (all_buried(shooters[i], buried)) continue;
+    if (first == kNone) first = i;
+    if (first == i) continue;
+    seen[i] = 0;
+    const Point3 a = middle_of(shooters[first].corners), b = middle_of(shooters[i].corners);
+    const float lift = kSightHeight * length(b - a) + visibility.offset();
+    const Point3 eye = a + lift * shooters[first].normal, to = b + lift * shooters[i].normal;
+    queue.add({eye, to - eye, 0, 1}, i);
+  }
+  queue.flush();
+  for (uint32_t i = 0; i < shooters.size(); ++i) {
+    if (seen[i] > 0) continue;
+    uint32_t& other = hidden[part[i]];
+    if (other == kNone) other = i;
+    part[i] = other;
+  }
+  return part;
+}
+
 double longest_edge(const std::array<Point3, 4>& c) {
   float longest = 0;
   for (size_t k = 0; k < 4; ++k) longest = std::max(longest, length(c[k] - c[(k + 1) % 4]));
@@ -51,12 +86,14 @@ double longest_edge(const std::array<Point3, 4>& c) {
 
 }  // namespace
 
-CoarsePatches::CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried) : all_(sides) {
-  group(size);
+CoarsePatches::CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried,
+                             const Visibility& visibility)
+    : all_(sides) {
+  group(size, buried, visibility);
   list_sides(buried);
 }
 
-void CoarsePatches::group(double size) {
+void CoarsePatches::group(double size, const std::vector<uint8_t>& buried, const Visibility& visibility) {
   const auto& shooters = all_.shooters();
   Bounds box;
   for (const Point3 p : all_.mesh().positions) box.add(p);
@@ -82,12 +119,13 @@ void CoarsePatches::group(double size) {
       const auto [at, is_new] = seen.try_emplace(keys[i] ^ (uint64_t(same[4 * i + k]) * 0xff51afd7ed558ccdULL), i);
       if (!is_new && keys[at->second] == keys[i]) sets.join(at->second, i);
     }
+  const std::vector<uint32_t> of_set = part_by_sight(shooters, buried, sets, visibility);
   constexpr uint32_t kNone = 0xffffffff;
   std::vector<uint32_t> number(shooters.size(), kNone);
   uint32_t count = 0;
   of_shooter_.resize(shooters.size());
   for (uint32_t i = 0; i < shooters.size(); ++i) {
-    uint32_t& n = number[sets.find(i)];
+    uint32_t& n = number[of_set[i]];
     if (n == kNone) n = count++;
     of_shooter_[i] = n;
   }

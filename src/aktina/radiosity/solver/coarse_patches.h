@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "aktina/radiosity/solver/sides.h"
+#include "aktina/radiosity/solver/visibility.h"
 
 namespace aktina {
 
 /// Sides belong to one instance and one side of it, lie in one cell of a grid, face the same way within about 30
-/// degrees and hang together by their corners. Shooters longer than half a cell are patches of their own.
+/// degrees, hang together by their corners and are seen from one of them: a wall keeps them apart. Shooters longer than
+/// half a cell are patches of their own.
 class CoarsePatches {
  public:
   /// @param size    m, edge of the cells
   /// @param buried  by side: 1 for what no light reaches, which does not count where its patch has others
-  CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried);
+  CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried, const Visibility& visibility);
 
   size_t size() const { return areas_.size(); }
   uint32_t patch_of_shooter(size_t shooter) const { return of_shooter_[shooter]; }
@@ -44,7 +46,7 @@ class CoarsePatches {
   std::vector<double> means(std::span<const double> values, size_t bands) const;
 
  private:
-  void group(double size);
+  void group(double size, const std::vector<uint8_t>& buried, const Visibility& visibility);
   void list_sides(const std::vector<uint8_t>& buried);
   void find_middle(size_t patch);
 

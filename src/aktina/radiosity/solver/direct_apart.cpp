@@ -12,7 +12,7 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibilit
     : sides_(sides),
       hits_(sides),
       buried_(hits_.buried()),
-      patches_(sides, mesh.coarse_size(total_area(sides.mesh())), buried_),
+      patches_(sides, mesh.coarse_size(total_area(sides.mesh())), buried_, visibility),
       geometry_(sides, patches_, false),
       surfaces_(scene, geometry_, visibility),
       rays_(patches_, sides, hits_, options.seed),

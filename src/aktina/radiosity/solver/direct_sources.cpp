@@ -27,7 +27,7 @@ DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::
       visibility_(visibility),
       samples_(4 * ray_cast_samples(options.formfactor)),
       seed_(options.seed),
-      clusters_(sides, kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), buried) {
+      clusters_(sides, kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), buried, visibility) {
   find_emitters();
 }
 
