@@ -55,6 +55,26 @@ class Handover {
 #endif
 };
 
+struct Loop {
+  FunctionRef<void(size_t, size_t)> body;
+  Handover handover{};
+
+  void run(size_t begin, size_t end) {
+    const FlushDenormals flush;
+    handover.body_begins();
+    body(begin, end);
+    handover.body_ends();
+  }
+};
+
+/// What TBB copies into its tasks. ThreadSanitizer does not see them handed over, nor that they are read here.
+struct LoopPart {
+  Loop* loop;
+  [[gnu::no_sanitize("thread")]] void operator()(const tbb::blocked_range<size_t>& range) const {
+    loop->run(range.begin(), range.end());
+  }
+};
+
 }  // namespace
 
 void set_thread_count(int count) {
@@ -73,20 +93,11 @@ void parallel_for(size_t n, size_t grain, FunctionRef<void(size_t, size_t)> body
     body(0, n);
     return;
   }
-  Handover handover;
-  handover.begin();
-  current_arena()->execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<size_t>(0, n, grain),
-        [&](const tbb::blocked_range<size_t>& range) {
-          const FlushDenormals flush;
-          handover.body_begins();
-          body(range.begin(), range.end());
-          handover.body_ends();
-        },
-        tbb::simple_partitioner());
-  });
-  handover.end();
+  Loop loop{body};
+  loop.handover.begin();
+  current_arena()->execute(
+      [&] { tbb::parallel_for(tbb::blocked_range<size_t>(0, n, grain), LoopPart{&loop}, tbb::simple_partitioner()); });
+  loop.handover.end();
 }
 
 void within_thread_limit(FunctionRef<void()> work) {

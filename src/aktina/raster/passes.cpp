@@ -14,7 +14,7 @@ uint32_t chunks_per_pass(uint32_t chunks, const Pipelines& pipelines, const View
   if (chunks <= kPassChunks || pipelines.any_blended || pipelines.any_spans) return chunks;
   const uint64_t saved = uint64_t(chunks - kPassChunks) * kChunkTriangles * kTriangleBytes;
   const uint64_t pixels = uint64_t(view.width()) * uint64_t(view.height());
-  return saved > 2 * pixels * kPixelBytes ? kPassChunks : chunks;
+  return saved > pixels * kPixelBytes ? kPassChunks : chunks;
 }
 
 }  // namespace aktina

@@ -10,7 +10,7 @@
 
 namespace aktina {
 
-/// Chunks of a pass, of `chunks` in all: all of them where passes save less than bands of a whole picture take twice,
+/// Chunks of a pass, of `chunks` in all: all of them where passes save less than bands of a whole picture take,
 /// and where triangles are needed together: blended ones are sorted, spans end where others hide them.
 uint32_t chunks_per_pass(uint32_t chunks, const Pipelines& pipelines, const View& view);
 
