@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include "aktina/raster/raster_frame.h"
 #include "aktina/raster/triangle_group.h"
@@ -70,17 +71,37 @@ class ChunkBuilder {
     for (size_t i = 0; i < size_t(corners.count) && !pipeline.immediate; ++i)
       chunk_.sources[chunk_.count + i] = {corners.triangle[i], uint16_t(pipeline_), corners.side[i] > 0, uint8_t(i),
                                           chunk_.group_count - 1};
-    for (size_t i = 0; i < size_t(corners.count); ++i) {
-      const uint32_t record = chunk_.count + uint32_t(i);
-      const TriangleRecord& r = chunk_.records[record];
-      const uint32_t first = r.first_y / uint32_t(kBandRows), last = r.last_y / uint32_t(kBandRows);
-      if (pipeline.blended()) {
-        const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
-        for (uint32_t band = first; band <= last; ++band) chunk_.blended[band].push_back({record, depth});
-      } else {
-        for (uint32_t band = first; band <= last; ++band) chunk_.bands[band].push_back(record);
+    if (pipeline.blended()) return sort_in_blended(corners);
+    // Triangles that follow each other mostly lie in the same bands: they are put there together.
+    for (uint32_t i = 0, end = 0; i < uint32_t(corners.count); i = end) {
+      const Bands bands = bands_of(chunk_.count + i);
+      while (++end < uint32_t(corners.count) && bands_of(chunk_.count + end) == bands) {
+      }
+      for (uint32_t band = bands.first; band <= bands.last; ++band) {
+        std::vector<uint32_t>& list = chunk_.bands[band];
+        const size_t at = list.size();
+        list.resize(at + end - i);
+        std::iota(list.begin() + std::ptrdiff_t(at), list.end(), chunk_.count + i);
       }
     }
+  }
+
+  void sort_in_blended(const CornerGroup& corners) {
+    for (uint32_t i = 0; i < uint32_t(corners.count); ++i) {
+      const Bands bands = bands_of(chunk_.count + i);
+      const float depth = (corners.depth[0][i] + corners.depth[1][i] + corners.depth[2][i]) / 3;
+      for (uint32_t band = bands.first; band <= bands.last; ++band)
+        chunk_.blended[band].push_back({chunk_.count + i, depth});
+    }
+  }
+
+  struct Bands {
+    uint32_t first, last;
+    bool operator==(const Bands&) const = default;
+  };
+  Bands bands_of(uint32_t record) const {
+    const TriangleRecord& r = chunk_.records[record];
+    return {r.first_y / uint32_t(kBandRows), r.last_y / uint32_t(kBandRows)};
   }
 
   const RasterFrame& frame_;

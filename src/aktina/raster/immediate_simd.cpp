@@ -47,7 +47,7 @@ void draw(const TriangleChunk& chunk, const Pipeline& pipeline, size_t stride, s
         F u = b.dx(p), v = b.dy(p);
         const F z = fma(set(t.zx), u, fma(set(t.zy), v, set(t.z0))), before = load(depths + i);
         const M nearer = hn::And(b.covered_part(p), z > before);
-        if (hn::AllFalse(kFloat, nearer)) continue;
+        if (!b.small && hn::AllFalse(kFloat, nearer)) continue;
         store(select(nearer, z, before), depths + i);
         if (name_nobody) store(select(nearer, set(int32_t(-1)), load(seen + i)), seen + i);
         const F w = Perspective ? reciprocal(select(nearer, z, set(1.0f))) : set(1.0f);

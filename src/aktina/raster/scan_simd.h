@@ -71,6 +71,7 @@ struct Block {
   const Ints* lanes;     // of the three edges
   int32_t e[3];          // at its upper left pixel
   float from_x, from_y;  // from the triangle's origin to the tile
+  bool small;            // the triangle has one tile, whose origin is its own: known when the program is compiled
 
   HWY_INLINE int x() const { return tile_x + (number & 3) * kBlock; }
   HWY_INLINE int y() const { return tile_y + (number & 12); }
@@ -78,8 +79,14 @@ struct Block {
     return mask(covered(lanes[0].part[p] + set(e[0]), lanes[1].part[p] + set(e[1]), lanes[2].part[p] + set(e[2])));
   }
   /// Pixels from the triangle's origin.
-  HWY_INLINE F dx(size_t p) const { return load(kTilePlaces.x[number & 3] + p * kPart) + set(from_x); }
-  HWY_INLINE F dy(size_t p) const { return load(kTilePlaces.y[number >> 2] + p * kPart) + set(from_y); }
+  HWY_INLINE F dx(size_t p) const {
+    const F x = load(kTilePlaces.x[number & 3] + p * kPart);
+    return small ? x : x + set(from_x);
+  }
+  HWY_INLINE F dy(size_t p) const {
+    const F y = load(kTilePlaces.y[number >> 2] + p * kPart);
+    return small ? y : y + set(from_y);
+  }
 };
 
 /// Blocks of a tile of at most 4 x 4 that lie within `columns` x `rows` blocks, bit by bit.
@@ -146,7 +153,7 @@ HWY_INLINE uint32_t touched_blocks(const Steps& steps, const int32_t (&tile)[3],
 /// row: from one row of blocks to the next
 template <class Visit>
 HWY_INLINE void visit_blocks(uint32_t blocks, int tile_x, int tile_y, size_t offset, size_t row, const Steps& steps,
-                             const BlockEdges& edges, float from_x, float from_y, const Visit& visit) {
+                             const BlockEdges& edges, float from_x, float from_y, bool small, const Visit& visit) {
   for (; blocks != 0; blocks &= blocks - 1) {
     const int i = std::countr_zero(blocks);
     visit(Block{tile_x,
@@ -156,7 +163,8 @@ HWY_INLINE void visit_blocks(uint32_t blocks, int tile_x, int tile_y, size_t off
                 steps.lanes,
                 {edges.e[0][i], edges.e[1][i], edges.e[2][i]},
                 from_x,
-                from_y});
+                from_y,
+                small});
   }
 }
 
@@ -172,7 +180,7 @@ HWY_INLINE void scan_small(const TriangleRecord& t, const BlockLayout& layout, c
   BlockEdges edges;
   steps.find_edges(t.e, edges);
   visit_blocks(blocks, t.origin_x(), t.origin_y(), layout.offset(t.origin_x(), t.origin_y()),
-               size_t(layout.blocks_across()) * kLanes, steps, edges, 0, 0, visit);
+               size_t(layout.blocks_across()) * kLanes, steps, edges, 0, 0, true, visit);
 }
 
 /// Calls visit(const Block&) for each block of the layout in which the triangle may cover pixels.
@@ -192,7 +200,7 @@ HWY_INLINE void scan(const TriangleRecord& t, const BlockLayout& layout, const V
       const uint32_t blocks =
           touched_blocks(steps, tile.e, rises) & blocks_within(((x1 - tile_x) >> 2) + 1, ((y1 - tile_y) >> 2) + 1);
       visit_blocks(blocks, tile_x, tile_y, layout.offset(tile_x, tile_y), row, steps, edges, float(tile_x - x0),
-                   float(tile_y - t.origin_y()), visit);
+                   float(tile_y - t.origin_y()), false, visit);
     }
 }
 
