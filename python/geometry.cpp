@@ -97,7 +97,8 @@ py::tuple normals_of_mesh(const py::buffer& vertices, const py::buffer& triangle
     for (const Vec3 p : v) numbers.insert(numbers.end(), {p.x, p.y, p.z});
     return array(std::move(numbers), {py::ssize_t(v.size()), 3});
   };
-  return py::make_tuple(triples(mesh.positions), triples(mesh.normals), array(std::move(corners), {py::ssize_t(mesh.triangles.size()), 3}));
+  return py::make_tuple(triples(mesh.positions), triples(mesh.normals),
+                        array(std::move(corners), {py::ssize_t(mesh.triangles.size()), 3}));
 }
 
 /// Unit directions and shares at a boundary of two media; refracted: NaN at total internal reflection.

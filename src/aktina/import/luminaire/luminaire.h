@@ -20,7 +20,8 @@ struct LuminousOpening {
   float width = 0, length = 0, height = 0;  // along C90, along C0, along the axis
 };
 
-/// Share of the light that lamps give when their luminaire is turned. Degrees between its aim and straight down, rising.
+/// Share of the light that lamps give when their luminaire is turned. Degrees between its aim and straight down,
+/// rising.
 struct LampTilt {
   std::vector<float> angles, factors;  // none: lamps do not mind
 };

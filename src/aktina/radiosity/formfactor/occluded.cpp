@@ -12,7 +12,7 @@
 namespace aktina {
 namespace {
 
-constexpr size_t kMostCells = 400;     // cutting along lines stops there
+constexpr size_t kMostCells = 400;      // cutting along lines stops there
 constexpr size_t kMostPlanes = 600;     // and is not begun where there are more lines
 constexpr size_t kMostPoints = 400000;  // of the receiver, for one pair
 constexpr size_t kFewCells = 64;        // that are not cut along all lines: halved until there are more
