@@ -50,7 +50,7 @@ std::string shortened(double value) {
 }
 
 std::string clock(double seconds) {
-  const auto s = int64_t(seconds + 0.5);
+  const int64_t s = std::llround(seconds);
   return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }

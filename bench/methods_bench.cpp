@@ -103,6 +103,7 @@ void models() {
 
 void vertex_normals() {
   std::vector<FacetCorner> fan;
+  fan.reserve(6);
   for (int i = 0; i < 6; ++i)
     fan.push_back({{std::cos(i), std::sin(i), -0.2}, {std::cos(i + 1), std::sin(i + 1), -0.2}});
   family("normals", normals(), "area", 5, [&](const std::string& method) {
@@ -129,7 +130,8 @@ void accelerating(const Scene& scene) {
     accelerator->build(scene);
     float sum = 0;
     for (int i = 0; i < 20000; ++i) {
-      const Ray ray{{0.278f, 0.273f, 0.8f}, {float(i % 141) / 300 - 0.2f, float(i / 141) / 300 - 0.2f, -1}};
+      const int column = i % 141, row = i / 141;
+      const Ray ray{{0.278f, 0.273f, 0.8f}, {float(column) / 300 - 0.2f, float(row) / 300 - 0.2f, -1}};
       sum += accelerator->intersect(ray).distance;
     }
     sink = sum;
@@ -147,7 +149,8 @@ void integrating(const Scene& scene) {
 void between_polygons() {
   FormFactorScene scene;
   for (int i = 0; i < 12; ++i) {
-    const double x = i % 4, y = i / 4;
+    const int column = i % 4, row = i / 4;
+    const double x = column, y = row;
     scene.surfaces.push_back({{{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}});
     scene.surfaces.push_back({{{x, y, 2}, {x, y + 1, 2}, {x + 1, y + 1, 2}, {x + 1, y, 2}}});
   }

@@ -50,7 +50,7 @@ double share_different(const Image& ours, const std::vector<float>& theirs) {
       far = far || std::abs(std::min(ours.pixels[i + k], 1.0f) - theirs[i + k]) > 8 / 255.0f;
     different += far;
   }
-  return double(different) / double(theirs.size() / 3);
+  return 3 * double(different) / double(theirs.size());
 }
 
 /// Our frame and llvmpipe's, in turn. @return  seconds of both

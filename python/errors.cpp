@@ -26,7 +26,7 @@ void raise(const Error& error) {
 
 void bind_errors(py::module_& m) {
   m.def("error_classes", &error_classes);
-  py::register_exception_translator([](std::exception_ptr thrown) {
+  py::register_exception_translator([](std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param)
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& error) {
