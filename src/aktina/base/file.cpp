@@ -70,7 +70,7 @@ class Temporary {
     for (PartialName& name : partial_names) {
       int free = kFree;
       if (!name.state.compare_exchange_strong(free, kFilling)) continue;
-      std::strcpy(name.path, path_.c_str());
+      std::memcpy(name.path, path_.c_str(), path_.native().size() + 1);
       name.state = kHeld;
       name_ = &name;
       return;

@@ -86,8 +86,8 @@ TEST(AdaptiveDirect, WhatStaysIsNotComputedAnewAndIsRight) {
   EXPECT_GT(mesh.size(), 2 * first);
   const Sides sides(mesh);
   DirectLight anew;
-  DirectSources(scene, sides, std::vector<uint8_t>(sides.size(), 0), visibility, options, mesh_options)
-      .shine_on(sides.all(), anew, kept, nullptr);
+  const std::vector<float> open(sides.size(), 1);
+  DirectSources(scene, sides, open, visibility, options, mesh_options).shine_on(sides.all(), anew, kept, nullptr);
   for (size_t s = 0; s < sides.size(); ++s) EXPECT_NEAR(light.all[s].g, anew.all[s].g, 1e-5f * anew.all[s].g + 1e-6f);
 }
 

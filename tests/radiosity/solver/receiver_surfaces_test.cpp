@@ -66,9 +66,9 @@ TEST(ReceiverSurfaces, CoarsePatchesHaveAllTheirSidesThatCount) {
   const Scene scene = room_with_box();
   const PatchMesh mesh = mesh_of(scene);
   const Sides sides(mesh);
-  const std::vector<uint8_t> buried = ShooterHits(sides).buried();
+  const std::vector<float> open = ShooterHits(sides).open_shares();
   const Visibility visibility(scene);
-  const CoarsePatches patches(sides, 0.5, buried, visibility);
+  const CoarsePatches patches(sides, 0.5, open, visibility);
   const ShotGeometry geometry(sides, patches, false);
   double counted = 0;
   for (size_t i = 0; i < patches.size(); ++i) counted += patches.area(i);

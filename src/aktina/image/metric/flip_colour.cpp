@@ -25,7 +25,7 @@ struct Constants {
   float to_xyz[3][3], to_rgb[3][3];  // XYZ relative to white
 
   Constants() {
-    constexpr double kXy[4][2] = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
+    static constexpr double kXy[4][2] = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
     const auto xyz = [&](size_t i) {
       return std::array{kXy[i][0] / kXy[i][1], 1.0, (1 - kXy[i][0] - kXy[i][1]) / kXy[i][1]};
     };

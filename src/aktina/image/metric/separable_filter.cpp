@@ -50,8 +50,8 @@ Image filter_columns(const Image& image, std::span<const float> kernel) {
   parallel_for(size_t(image.height), kRows, [&](size_t begin, size_t end) {
     std::vector<const float*> sources(kernel.size());
     for (int y = int(begin); y < int(end); ++y) {
-      for (int k = -radius; k <= radius; ++k)
-        sources[size_t(k + radius)] = image.at(0, std::clamp(y + k, 0, image.height - 1));
+      for (size_t k = 0; k < kernel.size(); ++k)
+        sources[k] = image.at(0, std::clamp(y + int(k) - radius, 0, image.height - 1));
       weighted_sum(sources, kernel, {out.at(0, y), size_t(image.width)});
     }
   });

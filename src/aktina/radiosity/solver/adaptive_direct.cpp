@@ -73,8 +73,8 @@ DirectLight refine_by_direct_light(const Scene& scene, const Visibility& visibil
   std::vector<uint32_t> missing = Sides(current).all();
   for (int level = 0; !missing.empty(); ++level) {
     const Sides sides(current);
-    DirectSources(scene, sides, ShooterHits(sides).buried(), visibility, options, mesh_options)
-        .shine_on(missing, light, kept, progress);
+    const std::vector<float> open = ShooterHits(sides).open_shares();
+    DirectSources(scene, sides, open, visibility, options, mesh_options).shine_on(missing, light, kept, progress);
     missing.clear();
     if (level == refinement.depth || (progress && progress->cancelled())) break;
     const std::vector<uint32_t> origin =

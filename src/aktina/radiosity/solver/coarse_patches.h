@@ -10,22 +10,26 @@
 
 namespace aktina {
 
-/// Sides belong to one instance and one side of it, lie in one cell of a grid, face the same way within about 30
-/// degrees, hang together by their corners and are seen from one of them: a wall keeps them apart. Shooters longer than
-/// half a cell are patches of their own.
+/// Sides of shooters that belong together (shooter_groups.h).
 class CoarsePatches {
  public:
   /// @param size    m, edge of the cells
-  /// @param buried  by side: 1 for what no light reaches, which does not count where its patch has others
-  CoarsePatches(const Sides& sides, double size, const std::vector<uint8_t>& buried, const Visibility& visibility);
+  /// @param open  by side: the share of its area that light reaches. Sides without do not count where their patch has
+  /// others. Must outlive this.
+  CoarsePatches(const Sides& sides, double size, const std::vector<float>& open, const Visibility& visibility);
 
   size_t size() const { return areas_.size(); }
   uint32_t patch_of_shooter(size_t shooter) const { return of_shooter_[shooter]; }
   uint32_t patch_of_side(size_t side) const { return of_side_[side]; }
-  double area(size_t patch) const { return areas_[patch]; }                   // m^2
+  double area(size_t patch) const { return areas_[patch]; }  // m^2, what is open
+  /// Of a side; of one without any, all of it. m^2
+  double open_area(size_t side) const;
+  bool partly_open(size_t side) const { return open_[side] > 0 && open_[side] < 1; }
   Point3 centre(size_t patch) const { return all_.centre(middles_[patch]); }  // of the side in the middle
   Vec3 normal(size_t patch) const { return normals_[patch]; }
   uint32_t middle(size_t patch) const { return middles_[patch]; }  // that side
+  /// Edge of a square of its area; of a cluster, of a square that holds it. m
+  double extent(size_t patch) const { return extents_[patch]; }
   bool buried(size_t patch) const { return buried_[patch]; }
 
   std::span<const uint32_t> shooters(size_t patch) const {
@@ -46,15 +50,16 @@ class CoarsePatches {
   std::vector<double> means(std::span<const double> values, size_t bands) const;
 
  private:
-  void group(double size, const std::vector<uint8_t>& buried, const Visibility& visibility);
-  void list_sides(const std::vector<uint8_t>& buried);
+  void group(double size, const std::vector<float>& open, const Visibility& visibility);
+  void list_sides(const std::vector<float>& open);
   void find_middle(size_t patch);
 
   const Sides& all_;
+  const std::vector<float>& open_;
   std::vector<uint32_t> of_shooter_, of_side_;
   std::vector<uint32_t> shooters_, first_shooter_, sides_, first_side_;
   std::vector<float> sums_;  // of areas of a patch's sides up to and with each
-  std::vector<double> areas_;
+  std::vector<double> areas_, extents_;
   std::vector<uint32_t> middles_;
   std::vector<Vec3> normals_;
   std::vector<uint8_t> buried_;

@@ -9,12 +9,16 @@ namespace {
 
 constexpr int kMostLayers = 64;  // clear surfaces along a ray
 constexpr float kLeastShare = 1e-3f;
+constexpr uint32_t kMostPlaces = 32;  // until one is open
 
 }  // namespace
 
 aktina::Ray CoarseRays::start(const Ray& ray) const {
   const uint32_t seed = hash_combine(seed_, ray.from);
-  const CoarsePatches::Place place = patches_.place(ray.from, sobol_owen(ray.number, seed));
+  CoarsePatches::Place place = patches_.place(ray.from, sobol_owen(ray.number, seed));
+  if (patches_.partly_open(place.side))
+    for (uint32_t k = 1; k < kMostPlaces && !hits_.open(place.side, place.point); ++k)
+      place.point = sides_.point(place.side, sobol_owen(ray.number, hash_combine(seed, k)));
   const Vec3 n = sides_.normal(place.side);
   const Vec3 direction = Frame(n).to_world(sample_cosine_hemisphere(sobol_owen(ray.number, hash32(seed))));
   return {place.point + hits_.offset() * n, direction, 0, kInfinity};

@@ -11,14 +11,14 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibilit
                          Progress* progress, KeptDirectLight& kept)
     : sides_(sides),
       hits_(sides),
-      buried_(hits_.buried()),
-      patches_(sides, mesh.coarse_size(total_area(sides.mesh())), buried_, visibility),
+      open_(hits_.open_shares()),
+      patches_(sides, mesh.coarse_size(total_area(sides.mesh())), open_, visibility),
       geometry_(sides, patches_, false),
       surfaces_(scene, geometry_, visibility),
       rays_(patches_, sides, hits_, options.seed),
       factors_(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
       interpolation_(patches_, sides, visibility) {
-  const DirectSources sources(scene, sides, buried_, visibility, options, mesh);
+  const DirectSources sources(scene, sides, open_, visibility, options, mesh);
   if (direct.all.empty()) sources.shine_on(sides.all(), direct, kept, progress);
   direct_ = std::move(direct.all);
   RadiosityProblem all = sides.problem();
@@ -47,7 +47,7 @@ double DirectApart::absorbed(const std::vector<Rgb>& irradiances) const {
   for (size_t s = 0; s < sides_.size(); ++s) {
     const uint32_t i = sides_.patch(s);
     const Rgb taken = Rgb(1) - mesh.reflectances[i] - mesh.transmittances[i];
-    sum.add(double(mesh.areas[i]) * double(luminance(taken * irradiances[s])));
+    sum.add(patches_.open_area(s) * double(luminance(taken * irradiances[s])));
   }
   return sum.value();
 }
@@ -56,13 +56,13 @@ DirectApart::Light DirectApart::on_sides(const RadiosityState& coarse) const {
   Light light{direct_, direct_, {}};
   std::vector<double> indirect = coarse.irradiances, from_emitters = coarse.direct;
   for (size_t k = 0; k < indirect.size(); ++k) indirect[k] -= problem_.arriving[k];
-  interpolation_.add(indirect, buried_, light.irradiances);
+  interpolation_.add(indirect, open_, light.irradiances);
   bool others_emit = false;  // than those that were computed apart
   for (size_t k = 0; k < from_emitters.size(); ++k) {
     from_emitters[k] -= problem_.arriving[k];
     others_emit = others_emit || problem_.emissions[k] > 0;
   }
-  if (others_emit) interpolation_.add(from_emitters, buried_, light.direct);
+  if (others_emit) interpolation_.add(from_emitters, open_, light.direct);
   RadiosityState& a = light.account;
   a.steps = coarse.steps, a.converged = coarse.converged;
   a.emitted = emitted_;

@@ -42,7 +42,7 @@ class DirectApart {
 
   const Sides& sides_;
   ShooterHits hits_;
-  std::vector<uint8_t> buried_;
+  std::vector<float> open_;
   CoarsePatches patches_;
   ShotGeometry geometry_;
   ReceiverSurfaces surfaces_;

@@ -20,14 +20,15 @@ double total_area(const PatchMesh& mesh) {
   return sum;
 }
 
-DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::vector<uint8_t>& buried,
+DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::vector<float>& open,
                              const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh)
     : scene_(scene),
       sides_(sides),
+      open_(open),
       visibility_(visibility),
       samples_(4 * ray_cast_samples(options.formfactor)),
       seed_(options.seed),
-      clusters_(sides, kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), buried, visibility) {
+      clusters_(sides, kEmitterSize * mesh.coarse_size(total_area(sides.mesh())), open, visibility) {
   find_emitters();
 }
 
@@ -58,7 +59,7 @@ void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, K
     add_emitter_light(geometry, visibility_, emitters_, exitances_, samples_, seed_, progress, here.all);
   }
   for (size_t i = 0; i < of.size(); ++i)
-    light.lamps[of[i]] = here.lamps.values[i], light.all[of[i]] = here.all.values[i];
+    light.lamps[of[i]] = on_open(of[i], here.lamps.values[i]), light.all[of[i]] = on_open(of[i], here.all.values[i]);
 }
 
 void DirectSources::take_out(std::vector<double>& emissions) const {

@@ -40,9 +40,9 @@ class KeptDirectLight {
 
 class DirectSources {
  public:
-  /// @param buried  by side, as CoarsePatches has it. The arguments must outlive this.
-  DirectSources(const Scene& scene, const Sides& sides, const std::vector<uint8_t>& buried,
-                const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh);
+  /// @param open  by side, as CoarsePatches has it. The arguments must outlive this.
+  DirectSources(const Scene& scene, const Sides& sides, const std::vector<float>& open, const Visibility& visibility,
+                const RadiosityOptions& options, const MeshOptions& mesh);
 
   /// What arrives on the sides `of` replaces what `light` has there. The same values for a side whichever others are
   /// asked for with it.
@@ -52,9 +52,12 @@ class DirectSources {
 
  private:
   void find_emitters();
+  /// Of the mean irradiance of a side, what its open part has.
+  Rgb on_open(uint32_t side, Rgb mean) const { return clusters_.partly_open(side) ? mean / open_[side] : mean; }
 
   const Scene& scene_;
   const Sides& sides_;
+  const std::vector<float>& open_;
   const Visibility& visibility_;
   int samples_;
   uint32_t seed_;

@@ -55,7 +55,7 @@ CoarseInterpolation::CoarseInterpolation(const CoarsePatches& patches, const Sid
   find_neighbours();
 }
 
-double CoarseInterpolation::size(size_t patch) const { return std::sqrt(patches_.area(patch)); }
+double CoarseInterpolation::size(size_t patch) const { return patches_.extent(patch); }
 
 void CoarseInterpolation::find_neighbours() {
   double largest = 0;
@@ -139,11 +139,11 @@ Rgb CoarseInterpolation::at(size_t side, std::span<const double> coarse) const {
   return out;
 }
 
-void CoarseInterpolation::add(std::span<const double> coarse, const std::vector<uint8_t>& buried,
+void CoarseInterpolation::add(std::span<const double> coarse, const std::vector<float>& open,
                               std::vector<Rgb>& fine) const {
   parallel_for(sides_.size(), 1024, [&](size_t begin, size_t end) {
     for (size_t s = begin; s < end; ++s)
-      if (!buried[s] || patches_.buried(patches_.patch_of_side(s))) fine[s] += at(s, coarse);
+      if (open[s] > 0 || patches_.buried(patches_.patch_of_side(s))) fine[s] += at(s, coarse);
   });
 }
 

@@ -19,7 +19,7 @@ class CoarseInterpolation {
 
   /// Adds to values of sides. Sides that are buried in their patch get nothing.
   /// @param coarse  three bands, by coarse patch
-  void add(std::span<const double> coarse, const std::vector<uint8_t>& buried, std::vector<Rgb>& fine) const;
+  void add(std::span<const double> coarse, const std::vector<float>& open, std::vector<Rgb>& fine) const;
 
  private:
   void find_neighbours();

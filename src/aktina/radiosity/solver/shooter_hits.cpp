@@ -1,5 +1,7 @@
 #include "aktina/radiosity/solver/shooter_hits.h"
 
+#include <algorithm>
+
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
 #include "aktina/radiosity/solver/visibility.h"
@@ -8,6 +10,8 @@ namespace aktina {
 namespace {
 
 constexpr uint32_t kDirections = 16;  // that must all end at backs
+constexpr float kLarge = 64;          // times the area that a twentieth of the patches do not have
+constexpr uint32_t kFewPlaces = 16, kManyPlaces = 256;
 
 }  // namespace
 
@@ -40,9 +44,9 @@ void ShooterHits::add(uint32_t shooter) {
   if (!passing_.empty()) passing_[shooter] = sum / float(s.count);
 }
 
-bool ShooterHits::sees_only_backs(size_t side, uint32_t first, uint32_t count) const {
+bool ShooterHits::sees_only_backs(size_t side, Point3 place, uint32_t first, uint32_t count) const {
   const Frame frame(sides_.normal(side));
-  const Point3 origin = sides_.centre(side) + offset_ * sides_.normal(side);
+  const Point3 origin = place + offset_ * sides_.normal(side);
   RayPacket rays{};
   HitPacket hits;
   for (uint32_t k = 0; k < count; ++k) {
@@ -57,13 +61,34 @@ bool ShooterHits::sees_only_backs(size_t side, uint32_t first, uint32_t count) c
   return true;
 }
 
-std::vector<uint8_t> ShooterHits::buried() const {
-  std::vector<uint8_t> flags(sides_.size(), 0);
+/// Most places are clear by a single ray along the normal.
+bool ShooterHits::open(size_t side, Point3 place) const {
+  return !sees_only_backs(side, place, 0, 1) || !sees_only_backs(side, place, 0, kDirections);
+}
+
+float ShooterHits::open_share(size_t side, uint32_t places) const {
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < places; ++k) count += open(side, sides_.point(side, sobol_owen(k, hash32(uint32_t(side)))));
+  return float(count) / float(places);
+}
+
+std::vector<float> ShooterHits::open_shares() const {
+  std::vector<float> areas = sides_.mesh().areas;
+  const auto small = areas.begin() + std::ptrdiff_t(areas.size() / 20);
+  std::nth_element(areas.begin(), small, areas.end());
+  const float large = kLarge * *small;
+  std::vector<float> shares(sides_.size(), 0);
   parallel_for(sides_.size(), 256, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s)  // most are cleared by a single ray along the normal
-      flags[s] = sees_only_backs(s, 0, 1) && sees_only_backs(s, 0, kDirections);
+    for (size_t s = begin; s < end; ++s) {
+      if (sides_.mesh().areas[sides_.patch(s)] <= large) {
+        shares[s] = open(s, sides_.centre(s)) ? 1 : 0;
+        continue;
+      }
+      shares[s] = open_share(s, kFewPlaces);
+      if (shares[s] > 0 && shares[s] < 1) shares[s] = open_share(s, kManyPlaces);
+    }
   });
-  return flags;
+  return shares;
 }
 
 }  // namespace aktina

@@ -31,12 +31,16 @@ class ShooterHits {
   /// How far rays start off surfaces, m.
   float offset() const { return offset_; }
 
-  /// By side: 1 where nothing but backs of one-sided surfaces is seen from its middle, as where a box stands on it.
-  std::vector<uint8_t> buried() const;
+  /// Something else than backs of one-sided surfaces is seen from a place on a side.
+  bool open(size_t side, Point3 place) const;
+  /// By side: the share of its area that is open; what a box stands on is not. Judged by the middle, by many places
+  /// where the side is large beside what may stand on it.
+  std::vector<float> open_shares() const;
 
  private:
   void add(uint32_t shooter);
-  bool sees_only_backs(size_t side, uint32_t first, uint32_t count) const;
+  bool sees_only_backs(size_t side, Point3 place, uint32_t first, uint32_t count) const;
+  float open_share(size_t side, uint32_t places) const;
 
   const Sides& sides_;
   Scene outlines_;  // one mesh
