@@ -56,8 +56,9 @@ constexpr TilePlaces tile_places() {
   TilePlaces t{};
   for (int block = 0; block < 4; ++block)
     for (int i = 0; i < 16; ++i) {
-      t.x[block][i] = float(4 * block + i % 4);
-      t.y[block][i] = float(4 * block + i / 4);
+      const int column = i % 4, row = i / 4;
+      t.x[block][i] = float(4 * block + column);
+      t.y[block][i] = float(4 * block + row);
     }
   return t;
 }

@@ -75,7 +75,7 @@ float as_float(T value, bool normalized) {
 
 /// Columns of matrices of bytes and shorts start at multiples of 4 bytes.
 int padded_offset(int i, int width, size_t size) {
-  if (width == 4 || width < 9 || size == 4) return i;
+  if (width < 9 || size == 4) return i;
   const int rows = width == 9 ? 3 : 4, column = i / rows, row = i % rows;
   const int pitch = int((size_t(rows) * size + 3) / 4 * 4 / size);
   return column * pitch + row;

@@ -26,17 +26,17 @@ std::string percent_decoded(std::string_view text) {
   return out;
 }
 
-constexpr std::array<int8_t, 256> base64_values() {
-  std::array<int8_t, 256> values{};
-  for (int8_t& value : values) value = -1;
+constexpr std::array<int, 256> base64_values() {
+  std::array<int, 256> values{};
+  for (int& value : values) value = -1;
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (size_t i = 0; i < kAlphabet.size(); ++i) values[size_t(kAlphabet[i])] = int8_t(i);
+  for (size_t i = 0; i < kAlphabet.size(); ++i) values[uint8_t(kAlphabet[i])] = int(i);
   values['-'] = 62, values['_'] = 63;  // the alphabet for URLs
   return values;
 }
 
 std::vector<uint8_t> base64_decoded(std::string_view text, const Value& place) {
-  static constexpr std::array<int8_t, 256> kValues = base64_values();
+  static constexpr std::array<int, 256> kValues = base64_values();
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   std::vector<uint8_t> out;
   out.reserve(text.size() / 4 * 3 + 3);

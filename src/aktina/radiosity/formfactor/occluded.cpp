@@ -156,7 +156,7 @@ class HiddenArea {
       for (size_t i = 1; i + 1 < cell.size(); ++i) add({cell[0], cell[i], cell[i + 1]}, halvings);
     while (error_ > tolerance && points_ < kMostPoints) {
       std::pop_heap(parts_.begin(), parts_.end());
-      const Part worst = std::move(parts_.back());
+      const Part worst = parts_.back();
       parts_.pop_back();
       hidden_ -= worst.hidden, error_ -= worst.error;
       halve(worst.triangle, 0);

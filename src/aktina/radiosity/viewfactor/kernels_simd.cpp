@@ -264,14 +264,15 @@ HWY_INLINE void LookAt(const PointLanes<T>& points, const T* normal, const Sourc
       whole = whole + source.terms[k];
     }
     auto hidden = zero, most = zero, own = zero;
-    auto inside = (zero < zero);
+    const auto never = one < zero;
+    auto inside = never;
     for (size_t i = 0; i < count; ++i) {
       const BlockingPolygon<T>& b = blocking[i];
       if (b.first) {
         own = hn::IfThenElse(inside, whole, own);
         hidden = hidden + own, most = hn::Max(most, own);
         own = zero;
-        inside = b.closed ? hn::Not((zero < zero)) : (zero < zero);
+        inside = b.closed ? hn::Not(never) : never;
       }
       const auto height = height_over(d, b, x);
       const auto front = height > edge_on, back = height < hn::Neg(edge_on);
@@ -341,7 +342,7 @@ uint32_t BlockedLanes(const float* receiver, const float* sources, size_t bounds
   const auto zero = hn::Zero(d), never = hn::Set(d, 2.0F);
   uint32_t blocked = 0;
   for (size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
-    auto open = zero < zero;  // some segment is not stopped
+    auto open = never < zero;  // some segment is not stopped
     for (size_t p = 0; p < 4; ++p)
       for (size_t q = 0; q < 4; ++q) {
         auto from = zero, to = hn::Set(d, 1.0F);

@@ -41,7 +41,7 @@ class SpecularityMap {
   }
 
  private:
-  static constexpr float kMiddle = kSize / 2, kScale = kMiddle - 1;  // a texel has the peak
+  static constexpr float kMiddle = 0.5f * float(kSize), kScale = kMiddle - 1;  // a texel has the peak
   static Vec2 on_map(Vec3 place) {
     const Vec2 p(place.x, place.y);
     if (place.z >= 0) return p;
