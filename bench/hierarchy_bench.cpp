@@ -80,7 +80,7 @@ int main() {
                 "1");
   const Cornell coarse(0.05);
   const RayCastShots factors(coarse.geometry, coarse.visibility, coarse.surfaces, 4, 0);
-  for (const char* method : {"hierarchical", "wavelet_haar", "wavelet_m2", "wavelet_m3", "wavelet_f2"}) {
+  for (const char* method : {"hierarchical", "clustering", "wavelet_haar", "wavelet_m2", "wavelet_m3", "wavelet_f2"}) {
     const auto solver = make_method(solvers(), "radiosity", method);
     double least = 1e30;
     for (int round = 0; round < 3; ++round)

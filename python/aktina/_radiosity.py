@@ -13,7 +13,7 @@ def solve_radiosity(F, E, rho, method="matrix", tolerance=1e-12, progress=None):
     E : (N,) or (N, bands), what each patch emits of itself, lm/m^2 (or W/m^2: any unit of exitance).
     rho : (N,) or (N, bands), diffuse reflectance in [0, 1).
     method : of the family "radiosity": "matrix" (Gauss-Seidel) or "progressive" (progressive refinement).
-        "stochastic_jacobi" draws samples: errors of a per cent. "hierarchical" and "wavelet_..." take no matrix.
+        "stochastic_jacobi" draws samples: errors of a per cent. "hierarchical", "clustering" and "wavelet_..." take no matrix.
     tolerance : where to stop; relative to the largest B ("matrix") or to the emitted light ("progressive").
     progress : called as progress(stage, unit, done, total, seconds) now and then.
     Returns B like E, float64, in its unit.

@@ -32,7 +32,8 @@ TEST(TorranceSparrow, IsReciprocal) {
 float peak_angle(const TorranceSparrow& model, const Surface& s, float incidence) {
   const Vec3 wi = test::direction(incidence * float(kPi) / 180, float(kPi));
   float best = 0, angle = 0;
-  for (float degrees = 0; degrees < 89.95f; degrees += 0.05f) {
+  for (int k = 0; k < 1799; ++k) {
+    const float degrees = 0.05f * float(k);
     const float value = model.highlight(s, kNormal, wi, test::direction(degrees * float(kPi) / 180, 0));
     if (value > best) best = value, angle = degrees;
   }

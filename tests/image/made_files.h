@@ -17,7 +17,7 @@ inline std::vector<uint8_t> made_jpeg(int width, int height, std::vector<uint8_t
   unsigned long size = 0;
   const int subsampling = format == TJPF_GRAY ? TJSAMP_GRAY : TJSAMP_444;
   tjCompress2(handle, codes.data(), width, 0, height, format, &out, &size, subsampling, 95, flags);
-  const std::vector<uint8_t> bytes(out, out + size);
+  std::vector<uint8_t> bytes(out, out + size);
   tjFree(out);
   tjDestroy(handle);
   return bytes;
@@ -27,7 +27,7 @@ inline std::vector<uint8_t> made_webp(int width, int height, std::vector<uint8_t
   uint8_t* out = nullptr;
   const size_t size = lossless ? WebPEncodeLosslessRGBA(rgba.data(), width, height, 4 * width, &out)
                                : WebPEncodeRGBA(rgba.data(), width, height, 4 * width, 90, &out);
-  const std::vector<uint8_t> bytes(out, out + size);
+  std::vector<uint8_t> bytes(out, out + size);
   WebPFree(out);
   return bytes;
 }

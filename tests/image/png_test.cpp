@@ -50,7 +50,7 @@ struct Made {
     size_t size = 0;
     int error = 0;
     void* const buffer = spng_get_png_buffer(png.get(), &size, &error);
-    const std::vector<uint8_t> bytes(static_cast<uint8_t*>(buffer), static_cast<uint8_t*>(buffer) + size);
+    std::vector<uint8_t> bytes(static_cast<uint8_t*>(buffer), static_cast<uint8_t*>(buffer) + size);
     std::free(buffer);
     return bytes;
   }

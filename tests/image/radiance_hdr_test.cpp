@@ -99,9 +99,9 @@ TEST(RadianceHdr, Broken) {
   for (const char* resolution : {"-Y 1 +Y 1", "-Y 1", "-Y -1 +X 1", "-Y 0 +X 1", "Y 1 X 1", "-Y 99999999999 +X 1", ""})
     EXPECT_EQ(decode_error(flat(resolution, "0")), Code::bad_input) << resolution;
   EXPECT_EQ(decode_error(bytes_of("#?RADIANCE\n")), Code::bad_input);
-  EXPECT_EQ(decode_error(bytes_of(std::string("#?RADIANCE\n\n-Y 1 +X 8\n\2\2\0\x09", 27))), Code::bad_input)
+  EXPECT_EQ(decode_error(bytes_of(std::string("#?RADIANCE\n\n-Y 1 +X 8\n\2\2\0\x09", 26))), Code::bad_input)
       << "length";
-  EXPECT_EQ(decode_error(bytes_of(std::string("#?RADIANCE\n\n-Y 1 +X 8\n\2\2\0\x08\0", 28))), Code::bad_input)
+  EXPECT_EQ(decode_error(bytes_of(std::string("#?RADIANCE\n\n-Y 1 +X 8\n\2\2\0\x08\0", 27))), Code::bad_input)
       << "no count";
 }
 

@@ -7,7 +7,8 @@ from reference.cases import ids
 
 METHODS = ids("radiosity")
 SAMPLED = ["stochastic_jacobi"]  # draw samples: right to about a per cent
-ON_SURFACES = [method for method in METHODS if method == "hierarchical" or method.startswith("wavelet_")]
+ON_SURFACES = [method for method in METHODS if method in ("hierarchical", "clustering")
+               or method.startswith("wavelet_")]
 EXACT = [method for method in METHODS if method not in SAMPLED and method not in ON_SURFACES]
 
 

@@ -39,14 +39,14 @@ inline Scene room(Vec3 size, Rgb reflectance, Rgb exitance = Rgb(0)) {
 }
 
 /// A box standing in it, its front outside.
-inline void add_box(Scene& scene, Point3 low, Vec3 size, Rgb reflectance) {
+inline void add_box(Scene& scene, Point3 low, Vec3 size, Rgb reflectance, Rgb exitance = Rgb(0)) {
   const Vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
-  add_quad(scene, low + y, z, x, reflectance);
-  add_quad(scene, low, x, z, reflectance);
-  add_quad(scene, low, z, y, reflectance);
-  add_quad(scene, low + x, y, z, reflectance);
-  add_quad(scene, low, y, x, reflectance);
-  add_quad(scene, low + z, x, y, reflectance);
+  add_quad(scene, low + y, z, x, reflectance, exitance);
+  add_quad(scene, low, x, z, reflectance, exitance);
+  add_quad(scene, low, z, y, reflectance, exitance);
+  add_quad(scene, low + x, y, z, reflectance, exitance);
+  add_quad(scene, low, y, x, reflectance, exitance);
+  add_quad(scene, low + z, x, y, reflectance, exitance);
 }
 
 }  // namespace aktina

@@ -44,7 +44,10 @@ Scene white_furnace() {
 double furnace_by_paths() {
   const Scene scene = white_furnace();
   std::vector<Ray> rays;
-  for (int i = 0; i < 64; ++i) rays.push_back({{0.1f, 0.05f, -0.1f}, normalize(Vec3(i % 4 - 1.5f, i / 16 - 1.5f, 1))});
+  for (int i = 0; i < 64; ++i) {
+    const int column = i % 4, row = i / 16;
+    rays.push_back({{0.1f, 0.05f, -0.1f}, normalize(Vec3(float(column) - 1.5f, float(row) - 1.5f, 1))});
+  }
   TraceOptions options;
   options.samples = 256;
   double sum = 0;

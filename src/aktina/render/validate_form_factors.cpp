@@ -55,7 +55,7 @@ void add_form_factor_cases(std::vector<ValidationCase>& cases) {
       {30, 0.61902832}, {45, 0.48334770}, {60, 0.37090532}, {120, 0.08661500}, {150, 0.02134533}};
   for (const auto& [degrees, factor] : hinges)
     add("unit squares hinged at " + std::to_string(int(degrees)) + " degrees", factor, 5e-9, "quadrature",
-        [degrees] { return from_floor(hinged_square(degrees), "contour"); });
+        [angle = degrees] { return from_floor(hinged_square(angle), "contour"); });
   add("half plane halfway between opposed unit squares", opposed / 2, 1e-8, "symmetry", [] {
     return from_floor(ceiling_square(), "contour", {{{{0.5, -9, 0.5}, {9, -9, 0.5}, {9, 9, 0.5}, {0.5, 9, 0.5}}}});
   });

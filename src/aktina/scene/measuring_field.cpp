@@ -37,7 +37,8 @@ void add_triangle(MeasuringField& field, Point3 a, Point3 b, Point3 c, double sp
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < 2 * (n - i) - 1; ++j) {
       const float third = j % 2 ? 2.0f / 3 : 1.0f / 3;  // upright and upside-down ones in turn
-      const float s = (float(j / 2) + third) * step, t = (float(i) + third) * step;
+      const int pair = j / 2;
+      const float s = (float(pair) + third) * step, t = (float(i) + third) * step;
       field.points.push_back(a + s * (b - a) + t * (c - a));
       field.normals.push_back(normalize(across));
       field.areas.push_back(area / (double(n) * n));

@@ -36,7 +36,7 @@ TEST(PointLight, FarAwayItIsParallelLight) {
 TEST(PointLight, DepthCueingIsAFactorOfItsOwn) {
   EXPECT_EQ(depth_cue(0.5f, 0, 3), depth_cue(0.5f, 0, 300)) << "k2 = 0: constant";
   EXPECT_EQ(depth_cue(1, 1, 3), 0.25f);
-  for (float d = 0; d < 10; d += 0.5f) EXPECT_GT(depth_cue(1, 0.1f, d), depth_cue(1, 0.1f, d + 0.5f));
+  for (int k = 0; k < 20; ++k) EXPECT_GT(depth_cue(1, 0.1f, 0.5f * float(k)), depth_cue(1, 0.1f, 0.5f * float(k + 1)));
 }
 
 TEST(PointLight, AtTheLightItselfNothingIsInfinite) {

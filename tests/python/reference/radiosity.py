@@ -16,12 +16,12 @@ def kinds():
     return methods
 
 
-CONSTANT_ON_PATCHES = ["hierarchical", "wavelet_haar"]  # as the light of subdivided_room is
+CONSTANT_ON_PATCHES = ["hierarchical", "clustering", "wavelet_haar"]  # as the light of subdivided_room is
 
 
 def cuts_surfaces(id):
     """Such solvers find form factors of their own, between surfaces; they take no matrix."""
-    return id == "hierarchical" or id.startswith("wavelet_")
+    return id in ("hierarchical", "clustering") or id.startswith("wavelet_")
 
 
 def on_surfaces(id, compute):

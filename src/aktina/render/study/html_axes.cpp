@@ -13,7 +13,7 @@ std::vector<double> ticks(const ChartAxis& axis) {
                                     : range > 0.9 ? std::vector<double>{1, 2, 5}
                                                   : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 8};
   std::vector<double> values;
-  for (double decade = std::floor(axis.low); decade <= axis.high; ++decade)
+  for (int decade = int(std::floor(axis.low)); decade <= int(std::floor(axis.high)); ++decade)
     for (const double step : steps) {
       const double value = step * std::pow(10, decade), l = std::log10(value);
       if (l >= axis.low && l <= axis.high) values.push_back(value);

@@ -16,7 +16,7 @@ TEST(SolversOnTrees, AgreeWithPathTracing) {
   RadiosityOptions options{.patch_size = 0.1, .target_error = 0.01};
   std::vector<float> traced;
   std::vector<size_t> patches;
-  for (const char* solver : {"hierarchical", "wavelet_haar", "wavelet_m2", "wavelet_m3", "wavelet_f2"}) {
+  for (const char* solver : {"hierarchical", "clustering", "wavelet_haar", "wavelet_m2", "wavelet_m3", "wavelet_f2"}) {
     options.solver = solver;
     const Solution s = solve_radiosity(scene, options);
     if (traced.empty()) {

@@ -17,13 +17,13 @@ constexpr size_t kGrain = 64;  // nodes
 size_t coefficients_of(const Basis& basis) { return basis.most() > 1 ? basis.most() * basis.most() : 0; }
 
 /// Some 0.4 of all pairs of faces are turned to each other, and these are linked at least.
-SurfaceTree make_tree(const SurfaceLayout& layout, const Basis& basis, double leaf_size) {
+SurfaceTree make_tree(const SurfaceLayout& layout, const Basis& basis, const HierarchyOptions& options) {
   const auto faces = double(layout.faces.size());
   const double one = Links::bytes(0.4, coefficients_of(basis));
-  if (one * faces * faces > Links::kMostBytes)
+  if (!options.clusters && one * faces * faces > Links::kMostBytes)
     throw Error(Code::limit, "radiosity", fmt::format("{} faces, and links between every two", layout.faces.size()),
-                fmt::format("at most {:.0f}, or stochastic_jacobi", std::sqrt(Links::kMostBytes / one)));
-  return SurfaceTree(layout, leaf_size);
+                fmt::format("at most {:.0f}, or clustering, or stochastic_jacobi", std::sqrt(Links::kMostBytes / one)));
+  return SurfaceTree(layout, options.leaf_size);
 }
 
 double flux_to_distribute(const RadiosityProblem& p) {
@@ -43,22 +43,26 @@ LinkedTree::LinkedTree(const RadiosityProblem& problem, const ReceiverSurfaces& 
                        const HierarchyOptions& options, uint32_t seed)
     : problem_(problem),
       basis_(options.basis),
-      tree_(make_tree(surfaces.layout(), basis_, options.leaf_size)),
+      tree_(make_tree(surfaces.layout(), basis_, options)),
       transport_(basis_, options.spread),
       light_(tree_, basis_, problem),
       refinement_(tree_, light_, transport_, surfaces.visibility(), options.oracle, seed),
       links_(coefficients_of(basis_)),
-      most_(options.most * (options.oracle == Oracle::factor ? 1 : flux_to_distribute(problem))) {}
+      most_(options.most * (options.oracle == Oracle::factor ? 1 : flux_to_distribute(problem))) {
+  if (options.clusters) clusters_.emplace(tree_, light_, surfaces.visibility(), problem.bands, seed);
+}
 
 void LinkedTree::link(double times, Progress* progress) {
-  if (!linked_)
+  if (clusters_)
+    refinement_.refine(links_, times * most_, most_, progress, clusters_->refine(times * most_, most_, progress));
+  else if (!linked_)
     refinement_.link_roots(links_, times * most_, most_, progress);
   else
     refinement_.refine(links_, times * most_, most_, progress);
   linked_ = true;
 }
 
-std::vector<double> LinkedTree::gather() const {
+std::vector<double> LinkedTree::gather() {
   const size_t per_node = light_.per_node(), functions = light_.functions(), bands = problem_.bands;
   std::vector<double> gathered(tree_.nodes().size() * per_node, 0);
   parallel_for(links_.nodes(), kGrain, [&](size_t begin, size_t end) {
@@ -85,6 +89,7 @@ std::vector<double> LinkedTree::gather() const {
       }
     }
   });
+  if (clusters_) clusters_->gather(gathered);
   return gathered;
 }
 

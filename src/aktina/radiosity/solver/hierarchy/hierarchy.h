@@ -4,6 +4,9 @@
 // constants: S. Gortler, P. Schroeder, M. Cohen, P. Hanrahan, "Wavelet Radiosity", SIGGRAPH '93.
 #pragma once
 
+#include <optional>
+
+#include "aktina/radiosity/solver/hierarchy/cluster_links.h"
 #include "aktina/radiosity/solver/hierarchy/link_refinement.h"
 #include "aktina/radiosity/solver/solver.h"
 
@@ -17,6 +20,8 @@ struct HierarchyOptions {
   double most = 1e-5;
   /// Area of the smallest nodes over what receivers have.
   double leaf_size = 1;
+  /// Surfaces are linked by clusters; of bases with one function a node.
+  bool clusters = false;
 };
 
 class LinkedTree {
@@ -32,12 +37,14 @@ class LinkedTree {
 
   const SurfaceTree& tree() const { return tree_; }
   const Links& links() const { return links_; }
+  /// Of clusters with each other and with surfaces.
+  size_t cluster_links() const { return clusters_ ? clusters_->size() : 0; }
   const TreeLight& light() const { return light_; }
   TreeLight& light() { return light_; }
   size_t leaves() const;
 
  private:
-  std::vector<double> gather() const;
+  std::vector<double> gather();
 
   const RadiosityProblem& problem_;
   Basis basis_;
@@ -46,6 +53,7 @@ class LinkedTree {
   TreeLight light_;
   LinkRefinement refinement_;
   Links links_;
+  std::optional<ClusterLinks> clusters_;
   double most_;
   bool linked_ = false;
 };

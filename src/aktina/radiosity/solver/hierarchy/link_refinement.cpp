@@ -164,9 +164,11 @@ void LinkRefinement::link_roots(Links& links, double most, double final, Progres
   links.replace(kept, tree_.nodes().size());
 }
 
-void LinkRefinement::refine(Links& links, double most, double final, Progress* progress) {
+void LinkRefinement::refine(Links& links, double most, double final, Progress* progress,
+                            std::span<const NodePair> more) {
   most_ = most, final_ = final;
   Links::Unsorted kept;
+  for (const NodePair& pair : more) open_.push_back({pair.receiver, pair.sender, false});
   for (uint32_t receiver = 0; receiver < links.nodes(); ++receiver) {
     const std::span<const Link> own = links.of(receiver);
     for (size_t k = 0; k < own.size(); ++k) {

@@ -28,8 +28,8 @@ class LinkRefinement {
   /// @param most   of the measure that the oracle looks at: form factor, or weighted flux
   /// @param final  what `most` will be in the end: how many rays are sent depends on it
   void link_roots(Links& links, double most, double final, Progress* progress);
-  /// Replaces links that exceed `most` by finer ones. Unchanged where `progress` is cancelled.
-  void refine(Links& links, double most, double final, Progress* progress);
+  /// Replaces links that exceed `most` by finer ones, and links `more` nodes. Unchanged where `progress` is cancelled.
+  void refine(Links& links, double most, double final, Progress* progress, std::span<const NodePair> more = {});
 
  private:
   struct Pair {

@@ -15,6 +15,11 @@ struct Link {
 };
 static_assert(sizeof(Link) == 16);
 
+/// Nodes that are to be linked.
+struct NodePair {
+  uint32_t receiver, sender;
+};
+
 class Links {
  public:
   static constexpr double kMostBytes = 1U << 31;  // of unsorted links; as much again while they are sorted
