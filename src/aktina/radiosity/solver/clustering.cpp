@@ -1,6 +1,6 @@
 // Hierarchical radiosity with clusters: the whole scene is one cluster, linked to itself; links are cut between halves
 // of clusters, surfaces, and quarters of surfaces, down to what the error of each link allows. Of n surfaces there are
-// links in the order of n log n, where hierarchical radiosity links every two. Cost: 40 bytes a link of clusters, four
+// links in the order of n log n, where hierarchical radiosity links every two. Cost: 36 bytes a link of clusters, four
 // to sixteen rays, the sum over the surfaces at both ends once. Weakness: what arrives at a cluster is shared out by
 // the surfaces' orientation, not by what each of them sees.
 //
