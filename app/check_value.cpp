@@ -39,13 +39,24 @@ void check_choice(const Option& option, const std::string& name, const std::stri
               fmt::format("there are: {}", fmt::join(option.choices.begin(), option.choices.end(), ", ")));
 }
 
+void check_parameters(const MethodInfo& method, const MethodChoice& choice) {
+  ParamSet params(method);
+  for (const auto& [id, value] : choice.values) params.set(id, value);
+}
+
+/// One of the option's own words; it may be a method of another family.
+void check_word(const std::string& name, const MethodChoice& choice) {
+  for (const Family& family : families())
+    for (const MethodInfo* method : family.methods)
+      if (method->id == choice.id) return check_parameters(*method, choice);
+  if (!choice.values.empty()) throw Error(Code::usage, name, fmt::format("{} takes no parameters", choice.id));
+}
+
 /// The method must be in the catalogue and its parameters within their ranges, or one of the option's own words.
 void check_method(const Option& option, const std::string& name, const std::string& text) {
   const MethodChoice choice = parse_method(text);
-  if (std::find(option.choices.begin(), option.choices.end(), choice.id) != option.choices.end()) {
-    if (!choice.values.empty()) throw Error(Code::usage, name, fmt::format("{} takes no parameters", choice.id));
-    return;
-  }
+  if (std::find(option.choices.begin(), option.choices.end(), choice.id) != option.choices.end())
+    return check_word(name, choice);
   std::vector<std::string_view> known(option.choices.begin(), option.choices.end());
   const MethodInfo* chosen = nullptr;
   for (const MethodInfo* method : find_family(option.family).methods) {
@@ -58,8 +69,7 @@ void check_method(const Option& option, const std::string& name, const std::stri
         Code::no_such_method, name, fmt::format("there is no {} method '{}'", option.family, choice.id),
         meant.empty() ? fmt::format("there are: {}", fmt::join(known, ", ")) : fmt::format("did you mean {}?", meant));
   }
-  ParamSet params(*chosen);
-  for (const auto& [id, value] : choice.values) params.set(id, value);
+  check_parameters(*chosen, choice);
 }
 
 }  // namespace

@@ -179,8 +179,9 @@ void balancing(const Scene& scene) {
     sink = float(solve_radiosity(scene, options).steps);
   });
   const Solution solution = solve_radiosity(scene, coarse());
-  family("specular", specular_methods(), "two_pass", 2, [&](const std::string&) {
-    sink = render_two_pass(scene, solution, scene.cameras[0], 64, 64, {.samples = 4, .seed = 0, .each_pass = {}})
+  family("specular", specular_methods(), "two_pass", 2, [&](const std::string& method) {
+    sink = render_two_pass(scene, solution, scene.cameras[0], 64, 64,
+                           {.method = method, .samples = 4, .seed = 0, .each_pass = {}})
                .layers[0]
                .image.pixels[0];
   });

@@ -119,16 +119,16 @@ py::dict solution_facts(const Radiosities& r) {
   return d;
 }
 
-Array draw_solution(const Radiosities& r, const Scene& scene, const py::object& camera, bool two_passes, int width,
-                    int height, int samples, uint32_t seed, const py::object& report) {
+Array draw_solution(const Radiosities& r, const Scene& scene, const py::object& camera, const std::string& two_pass,
+                    int width, int height, int samples, uint32_t seed, const py::object& report) {
   const View view(camera);
   if (!view.given && (view.number < 0 || size_t(view.number) >= scene.cameras.size()))
     throw Error(Code::usage, "camera", fmt::format("there is no camera {}", view.number));
   const Camera& eye = view.given ? view.own : scene.cameras[size_t(view.number)];
   LayeredImage picture = run(report, [&](Progress& progress) {
-    if (!two_passes) return render_solution(scene, r.solution, eye, width, height, samples, &progress);
-    return render_two_pass(scene, r.solution, eye, width, height, {.samples = samples, .seed = seed, .each_pass = {}},
-                           &progress);
+    if (two_pass.empty()) return render_solution(scene, r.solution, eye, width, height, samples, &progress);
+    return render_two_pass(scene, r.solution, eye, width, height,
+                           {.method = two_pass, .samples = samples, .seed = seed, .each_pass = {}}, &progress);
   });
   return pixels_of(std::move(picture.layers[0].image));
 }

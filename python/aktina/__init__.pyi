@@ -285,6 +285,7 @@ class Solution:
         camera: int | dict[str, Any] = 0,
         samples: int = 4,
         two_pass: bool = False,
+        gather: bool = False,
         seed: int = 0,
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> NDArray[np.float32]: ...

@@ -196,13 +196,15 @@ class Solution:
         for name, value in _core.solution_facts(result).items():
             setattr(self, name, value)
 
-    def render(self, width, height, camera=0, samples=4, two_pass=False, seed=0, progress=None):
+    def render(self, width, height, camera=0, samples=4, two_pass=False, gather=False, seed=0, progress=None):
         """The solution from a camera: linear radiance, cd/m^2.
 
         two_pass : adds mirrors, glass and sharp shadows of direct light by rays (Wallace 1987).
+        gather : of two passes: indirect light by a ray for each sample, too (final gather).
         Returns (H, W, 3) float32.
         """
-        return np.asarray(_core.draw_solution(self._result, self.scene._scene, camera, bool(two_pass), int(width),
+        method = "two_pass:gather=%d" % bool(gather) if two_pass or gather else ""
+        return np.asarray(_core.draw_solution(self._result, self.scene._scene, camera, method, int(width),
                                               int(height), int(samples), int(seed), progress))
 
     def save(self, path):

@@ -28,7 +28,8 @@ void ParamSet::set(std::string_view id, double value) {
   const size_t i = index(id);
   const Param& p = method_->params[i];
   if (!(std::isfinite(value) && value >= p.min && value <= p.max) || (p.whole && value != std::floor(value)))
-    throw Error(Code::bad_param, fmt::format("{}.{}", method_->id, id), fmt::format("got {:g} {}", value, p.unit),
+    throw Error(Code::bad_param, fmt::format("{}.{}", method_->id, id),
+                fmt::format("got {:g}{}{}", value, p.unit == "1" ? "" : " ", p.unit == "1" ? "" : p.unit),
                 fmt::format("accepted {:g} .. {:g}{}", p.min, p.max, p.whole ? ", whole" : ""));
   values_[i] = value;
 }

@@ -16,7 +16,7 @@ LayeredImage draw_by_two_passes(PictureJob& job) {
   if (!job.report.complete) return render_solution(job.scene, solution, job.camera, job.width, job.height);
 
   int taken = 0;
-  TwoPassOptions second{.samples = job.samples(16), .seed = job.options.seed};
+  TwoPassOptions second{.method = job.options.method, .samples = job.samples(16), .seed = job.options.seed};
   second.each_pass = [&](const LayeredImage& picture, int samples) {
     taken = samples;
     if (job.options.each_pass) job.options.each_pass(picture);

@@ -26,10 +26,11 @@ constexpr Way kWays[] = {{"raster", draw_by_raster},
 /// The command that repeats the picture.
 std::string settings(const PictureJob& job) {
   const RenderOptions& o = job.options;
+  const std::string id = parse_method(o.method).id;
   std::string line = fmt::format("render {} --method {}", job.report.scene_file, o.method);
-  if (o.method == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
+  if (id == "raster") line += fmt::format(" --shading {} --illumination {}", o.shading, o.illumination);
   line += fmt::format(" --size {}x{} --seed {}", job.width, job.height, o.seed);
-  if (o.method == "radiosity" || o.method == "two_pass") line += " " + settings(o.radiosity);
+  if (id == "radiosity" || id == "two_pass") line += " " + settings(o.radiosity);
   if (o.depth_cue.active()) line += fmt::format(" --depth-cue {},{}", o.depth_cue.k1, o.depth_cue.k2);
   if (o.samples > 0) line += fmt::format(" --samples {}", o.samples);
   if (o.camera > 0) line += fmt::format(" --camera {}", o.camera);

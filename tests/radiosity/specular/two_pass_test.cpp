@@ -59,6 +59,21 @@ TEST(TwoPass, RadiosityAloneAgreesWithPathTracingToo) {
   EXPECT_NEAR(mean(a).g, mean(b).g, 0.02f * mean(b).g);
 }
 
+TEST(TwoPass, FinalGatherFindsShadowsThatCoarsePatchesMiss) {
+  const Scene scene = lit_room();
+  const Solution coarse = solve_radiosity(scene, {.patch_size = 0.5, .tolerance = 1e-3});
+  TraceOptions path;
+  path.samples = 400;
+  const Image traced = trace(scene, view(), 32, 24, path).layers[0].image;
+  const auto drawn = [&](const char* method) {
+    return render_two_pass(scene, coarse, view(), 32, 24, {.method = method, .samples = 256}).layers[0].image;
+  };
+  const double looked_up = relative_difference(drawn("two_pass"), traced);
+  const Image gathered = drawn("two_pass:gather=1");
+  EXPECT_LT(relative_difference(gathered, traced), 0.8 * looked_up);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean(gathered)[c], mean(traced)[c], 0.03f * mean(traced)[c]);
+}
+
 TEST(TwoPass, AMirrorShowsWhatIsInFrontOfIt) {
   Scene scene = room({2, 2, 2}, Rgb(0.5f));
   add_quad(scene, {0.7f, 1.99f, 0.7f}, {0.6f, 0, 0}, {0, 0, 0.6f}, Rgb(0), Rgb(100));

@@ -12,7 +12,7 @@ std::span<const Method<std::unique_ptr<SpecularMethod>>* const> specular_methods
 
 LayeredImage render_two_pass(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height,
                              const TwoPassOptions& options, Progress* progress) {
-  return make_method(specular_methods(), "specular", "two_pass")
+  return make_method(specular_methods(), "specular", options.method)
       ->render(scene, solution, camera, width, height, options, progress);
 }
 

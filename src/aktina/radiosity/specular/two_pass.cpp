@@ -1,13 +1,15 @@
 // Two passes: radiosity has carried the light between diffuse surfaces; rays from the eye follow mirrors and glass to
 // the first diffuse surface. What that one shows is its share of the light straight from lamps, sharp, by shadow rays,
-// and of all other light as the solution has it, smooth over the patch, both times its texture.
-// Cost: one path without branches and one shadow ray a sample. Weakness: light that mirrors and glass throw on diffuse
-// surfaces (caustics) is not in the solution; rough reflections of surfaces that have a matt body are left out, those
-// of metals are sampled.
+// and of all other light as the solution has it, smooth over the patch, both times its texture. With `gather` the
+// other light, too, is found anew: a ray looks where it comes from, and takes the solution's light there.
+// Cost: one path without branches and one shadow ray a sample; with gather one ray more, and noise. Weakness: light
+// that mirrors and glass throw on diffuse surfaces (caustics) is not in the solution; rough reflections of surfaces
+// that have a matt body are left out, those of metals are sampled.
 //
 // J. Wallace, M. Cohen, D. Greenberg, "A Two-pass Solution to the Rendering Equation: a Synthesis of Ray Tracing and
 // Radiosity Methods", SIGGRAPH 1987; direct light apart: P. Shirley, "A Ray Tracing Method for Illumination Calculation
-// in Diffuse-Specular Scenes", Graphics Interface 1990.
+// in Diffuse-Specular Scenes", Graphics Interface 1990; final gather: M. Reichert, "A Two-Pass Radiosity Method Driven
+// by Lights and Viewer Position", Cornell University 1992.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,20 +32,21 @@ constexpr int kMostBounces = 16;
 constexpr int kMostLayers = 64;  // surfaces that a path looks through, at most
 
 // Dimensions of a sample's numbers; those of a bounce follow one another.
-enum Dimension : uint32_t { kPixel, kLampChoice, kLampPlace, kDirection, kLobe, kAlpha, kEach = 8 };
+enum Dimension : uint32_t { kPixel, kLampChoice, kLampPlace, kDirection, kLobe, kAlpha, kGather, kEach = 8 };
 
 struct Path {
   Ray ray;
   Rgb throughput{1};
   SampleSequence sequence;
   uint32_t query = 0, bounces = 0, layers = 0;
+  bool gathers = false;  // has left a diffuse surface: takes the solution's light where it arrives
   uint32_t dimension(Dimension d) const { return d + kEach * bounces; }
 };
 
 class Tile {
  public:
-  Tile(const PatchScene& patches, const RayScene& rays, const Solution& solution, std::span<Rgb> sums)
-      : patches_(patches), rays_(rays), solution_(solution), sums_(sums) {}
+  Tile(const PatchScene& patches, const RayScene& rays, const Solution& solution, bool gather, std::span<Rgb> sums)
+      : patches_(patches), rays_(rays), solution_(solution), gather_(gather), sums_(sums) {}
 
   void run(std::vector<Path>& paths) {
     Coherence coherence = Coherence::coherent;
@@ -59,6 +62,8 @@ class Tile {
           if (advance(paths[first + i], hits.at(int(i)))) paths[alive++] = paths[first + i];
       }
       paths.resize(alive);
+      paths.insert(paths.end(), gathering_.begin(), gathering_.end());
+      gathering_.clear();
       shadows_.trace(rays_, coherence, [&](const ShadowRay& ray) { sums_[ray.query] += ray.light; });
       coherence = Coherence::incoherent;
     }
@@ -68,6 +73,7 @@ class Tile {
   /// One hit of one path. @return  whether the path goes on
   bool advance(Path& path, const Hit& hit) {
     if (!hit) {
+      if (path.gathers) return false;  // the sky is direct light
       const EnvironmentLight& sky = rays_.scene.environment;
       const Rgb seen = sky.shines() ? radiance(sky, path.ray.direction).v : rays_.scene.background.v;
       sums_[path.query] += path.throughput * seen;
@@ -80,25 +86,43 @@ class Tile {
       path.ray.near = 0;
       return ++path.layers < kMostLayers;
     }
-    sums_[path.query] += path.throughput * point.emission.v;
+    if (!path.gathers) sums_[path.query] += path.throughput * point.emission.v;
     const bool lit = point.front || point.material->double_sided;  // the backs of others are black
     const Rgb matt = is_black(point.surface->kd) ? Rgb(0) : matt_reflectance(*point.surface);
+    if (path.gathers) {
+      if (lit) sums_[path.query] += path.throughput * matt * irradiance(point, hit, true) * float(kInvPi);
+      return false;
+    }
     if (lit && !is_black(matt)) {
-      sums_[path.query] += path.throughput * matt * indirect(point, hit) * float(kInvPi);
+      if (gather_)
+        gather(path, point, matt);
+      else
+        sums_[path.query] += path.throughput * matt * irradiance(point, hit, false) * float(kInvPi);
       add_direct(path, point, matt);
     }
     return path.bounces < kMostBounces && !point.scattering->black() && mirror(path, point, is_black(matt));
   }
 
-  /// Irradiance but for direct light, interpolated over the patch.
-  Rgb indirect(const ShadingPoint& point, const Hit& hit) const {
+  /// Sends a ray, by the cosine, to where the indirect light comes from.
+  void gather(const Path& from, const ShadingPoint& point, Rgb matt) {
+    const Vec3 wi = Frame(point.normal).to_world(sample_cosine_hemisphere(from.sequence.pair(from.dimension(kGather))));
+    if (!(dot(wi, point.geometric) > 0)) return;
+    Path path = from;
+    path.gathers = true;
+    path.throughput *= matt;
+    path.ray = {offset_point(point.position, point.geometric), wi};
+    gathering_.push_back(path);
+  }
+
+  /// The solution's, interpolated over the patch. @param with_direct  light straight from lamps, too
+  Rgb irradiance(const ShadingPoint& point, const Hit& hit, bool with_direct) const {
     const auto& v = patches_.vertices[hit.instance][hit.triangle];
     const bool mirrored = glm::determinant(Mat3(rays_.scene.instances[hit.instance].to_world)) < 0;
     const float w[3] = {1 - hit.u - hit.v, mirrored ? hit.v : hit.u, mirrored ? hit.u : hit.v};
     const auto& all = point.front ? solution_.vertex_irradiances : solution_.vertex_back_irradiances;
     const auto& direct = point.front ? solution_.vertex_direct_irradiances : solution_.vertex_back_direct_irradiances;
     Rgb h;
-    for (size_t k = 0; k < 3; ++k) h += (all[v[k]].v - direct[v[k]].v) * w[k];
+    for (size_t k = 0; k < 3; ++k) h += (with_direct ? all[v[k]].v : all[v[k]].v - direct[v[k]].v) * w[k];
     return clamped(h, 0, kInfinity);
   }
 
@@ -133,14 +157,17 @@ class Tile {
   const PatchScene& patches_;
   const RayScene& rays_;
   const Solution& solution_;
+  bool gather_;
   std::span<Rgb> sums_;
+  std::vector<Path> gathering_;
   ShadowRays shadows_{true};
 };
 
 class Picture {
  public:
-  Picture(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height)
+  Picture(const Scene& scene, const Solution& solution, bool gather, const Camera& camera, int width, int height)
       : solution_(solution),
+        gather_(gather),
         patches_(scene, solution),
         rays_(patches_.scene, {}),
         camera_(camera, width, height),
@@ -154,7 +181,7 @@ class Picture {
     parallel_for(size_t(columns) * size_t(rows), 1, [&](size_t begin, size_t end) {
       for (size_t t = begin; t < end; ++t) {
         std::vector<Path> paths = tile(int(t) % columns * kTile, int(t) / columns * kTile, uint32_t(index), seed);
-        Tile(patches_, rays_, solution_, sums_).run(paths);
+        Tile(patches_, rays_, solution_, gather_, sums_).run(paths);
         if (progress) progress->advance();
       }
     });
@@ -186,6 +213,7 @@ class Picture {
   }
 
   const Solution& solution_;
+  bool gather_;
   PatchScene patches_;
   RayScene rays_;
   CameraRays camera_;
@@ -195,6 +223,7 @@ class Picture {
 
 class TwoPass final : public SpecularMethod {
  public:
+  explicit TwoPass(bool gather) : gather_(gather) {}
   LayeredImage render(const Scene& scene, const Solution& solution, const Camera& camera, int width, int height,
                       const TwoPassOptions& options, Progress* progress) const override {
     if (width < 1 || height < 1 || uint64_t(width) * uint64_t(height) > kMostPixels)
@@ -202,7 +231,7 @@ class TwoPass final : public SpecularMethod {
                   fmt::format("accepted 1 .. {} in all", kMostPixels));
     if (options.samples < 1)
       throw Error(Code::bad_param, "samples", fmt::format("got {}", options.samples), "1 or more");
-    Picture picture(scene, solution, camera, width, height);
+    Picture picture(scene, solution, gather_, camera, width, height);
     const int columns = (width + kTile - 1) / kTile, rows = (height + kTile - 1) / kTile;
     if (progress) progress->begin("two passes", "tiles", uint64_t(options.samples) * uint64_t(columns * rows));
     int samples = 0;
@@ -214,13 +243,20 @@ class TwoPass final : public SpecularMethod {
     if (samples == 0) throw Error(Code::cancelled, "two_pass", "cancelled before the first sample");
     return picture.after(samples);
   }
+
+ private:
+  bool gather_;
 };
+
+constexpr Param kParams[] = {{"gather", "1",
+                              "1: indirect light by a ray for each sample (final gather); 0: as the solution has it", 0,
+                              0, 1, true}};
 
 }  // namespace
 
 extern constinit const Method<std::unique_ptr<SpecularMethod>> two_pass_specular = {
     {"two_pass", "Two-pass rendering", "wallace1987",
-     "Radiosity between diffuse surfaces, rays for mirrors, glass and sharp direct shadows; no caustics."},
-    [](const ParamSet&) -> std::unique_ptr<SpecularMethod> { return std::make_unique<TwoPass>(); }};
+     "Radiosity between diffuse surfaces, rays for mirrors, glass and sharp direct shadows; no caustics.", kParams},
+    [](const ParamSet& p) -> std::unique_ptr<SpecularMethod> { return std::make_unique<TwoPass>(p["gather"] != 0); }};
 
 }  // namespace aktina
