@@ -127,7 +127,7 @@ TEST(PointPastOccluders, AgreesWithCountedRays) {
 TEST(PointPastOccluders, EdgesInTheHorizonPlaneAndPlanesThroughThePoint) {
   const Face wall = face({{{0, -1, 0}, {0, 1, 0}, {0, 1, 2}, {0, -1, 2}}});
   const Point3d x(2, 0, 0);
-  const auto past = [&](Polygon p) {
+  const auto past = [&](const Polygon& p) {
     const Face occluder = face(p);
     const Face* list[] = {&occluder};
     return point_to_polygon(x, kUp, wall, list);

@@ -43,7 +43,8 @@ TEST(Coverage, EveryTouchedTexelOnceWithTheNearestPoint) {
   }
   for (int y = 0; y < 16; ++y)  // points of the triangle lie in covered texels only
     for (int k = 0; k < 4000; ++k) {
-      const float u = float(k % 64) / 63, v = float(k / 64) / 62;
+      const auto row = k / 64;
+      const float u = float(k % 64) / 63, v = float(row) / 62;
       if (u + v > 1) continue;
       const Vec2 p = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
       EXPECT_TRUE(int(p.y) != y || covered[size_t(p.y) * 16 + size_t(p.x)]) << p.x << " " << p.y;

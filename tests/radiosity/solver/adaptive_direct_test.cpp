@@ -30,7 +30,8 @@ double floor_error(const Solution& s) {
     const std::array<std::array<size_t, 3>, 2> triangles = {{{0, 1, 2}, {0, 2, 3}}};
     for (size_t t = 0; t < (s.mesh.is_quad(i) ? 2U : 1U); ++t)
       for (int k = 0; k < 36; ++k) {
-        const float u = std::sqrt((float(k % 6) + 0.5f) / 6), v = (float(k / 6) + 0.5f) / 6;
+        const auto row = k / 6;
+        const float u = std::sqrt((float(k % 6) + 0.5f) / 6), v = (float(row) + 0.5f) / 6;
         const float w[3] = {1 - u, u * (1 - v), u * v};
         Point3 p(0);
         float h = 0;

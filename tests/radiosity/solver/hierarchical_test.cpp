@@ -13,7 +13,7 @@ namespace aktina {
 namespace {
 
 RadiosityState solve(const Surfaces& s, const RadiosityProblem& problem, std::string_view method,
-                     SolverControl control) {
+                     const SolverControl& control) {
   return make_method(solvers(), "radiosity", method)->solve(problem, s.factors, control);
 }
 
@@ -100,7 +100,8 @@ TEST(Hierarchical, RefusesMoreFacesThanMemoryHasRoomForLinks) {
   Mesh& mesh = scene.meshes[0];
   mesh.positions.clear(), mesh.triangles.clear(), mesh.normals.clear(), mesh.uv[0].clear();
   for (uint32_t k = 0; k < 8000; ++k) {  // leaves of a tree
-    const Point3 p(0.01f * float(k % 90), 0.01f * float(k / 90), 0.5f);
+    const auto row = k / 90;
+    const Point3 p(0.01f * float(k % 90), 0.01f * float(row), 0.5f);
     for (const Vec3 d : {Vec3(0), Vec3(0.005f, 0, 0), Vec3(0, 0, 0.005f)}) mesh.positions.push_back(p + d);
     mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
   }

@@ -51,7 +51,7 @@ struct Sphere final : FactorSource {
   }
 };
 
-RadiosityState solve(const Sphere& sphere, std::string_view method, SolverControl control) {
+RadiosityState solve(const Sphere& sphere, std::string_view method, const SolverControl& control) {
   return make_method(solvers(), "radiosity", method)->solve(sphere.problem, sphere, control);
 }
 

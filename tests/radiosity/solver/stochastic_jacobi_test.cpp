@@ -40,7 +40,7 @@ struct Sphere final : FactorSource {
     }
     return e / (1 - rho);
   }
-  RadiosityState solve(SolverControl control) const {
+  RadiosityState solve(const SolverControl& control) const {
     return make_method(solvers(), "radiosity", "stochastic_jacobi")->solve(problem, *this, control);
   }
   /// Root of the mean square of relative errors.

@@ -35,7 +35,8 @@ class ExactRoom : public FactorSource {
       const uint32_t wall = patch / kPerWall, n = per_patch[patch];
       problem.shooters.push_back({uint32_t(elements.size()), n * n});
       for (uint32_t k = 0; k < n * n; ++k) {
-        const double step = 0.5 / n, u = 0.5 * (patch % 2) + step * (k % n), v = 0.5 * (patch / 2 % 2) + step * (k / n);
+        const auto row = k / n, upper = patch / 2 % 2;
+        const double step = 0.5 / n, u = 0.5 * (patch % 2) + step * (k % n), v = 0.5 * upper + step * row;
         elements.push_back({wall, patch, {u, v}, {u + step, v + step}});
         problem.areas.push_back(face(elements.back()).area);
         problem.reflectances.push_back(0.3 + 0.1 * wall);
@@ -73,7 +74,7 @@ class ExactRoom : public FactorSource {
   mutable size_t columns = 0;
 };
 
-RadiosityState solve(const ExactRoom& room, std::string_view method, SolverControl control) {
+RadiosityState solve(const ExactRoom& room, std::string_view method, const SolverControl& control) {
   return make_method(solvers(), "radiosity", method)->solve(room.problem, room, control);
 }
 

@@ -12,7 +12,7 @@
 namespace aktina {
 namespace {
 
-RadiosityState solve(const Surfaces& s, std::string_view method, SolverControl control) {
+RadiosityState solve(const Surfaces& s, std::string_view method, const SolverControl& control) {
   return make_method(solvers(), "radiosity", method)->solve(s.problem, s.factors, control);
 }
 

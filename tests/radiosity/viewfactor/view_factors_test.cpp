@@ -18,7 +18,7 @@ namespace {
 /// A closed room of 2 x 3 x 2 with a box in it, fronts outward.
 ViewFactorScene room_with_box() {
   std::vector<Polygon> all = box(2, 3, 2);
-  for (Polygon p : box(0.6, 0.8, 0.5)) all.push_back(moved(turned_over(p), {0.5, 0.9, 0.4}));
+  for (const Polygon& p : box(0.6, 0.8, 0.5)) all.push_back(moved(turned_over(p), {0.5, 0.9, 0.4}));
   return one_each(all);
 }
 
@@ -47,7 +47,7 @@ TEST(ViewFactors, AClosedRoomWithABoxClosesAndIsCertified) {
 TEST(ViewFactors, NarrowGapsCount) {
   std::vector<Polygon> all = box(2, 3, 2);
   all.push_back({{{0.7, 1.2, 1.99}, {0.7, 1.8, 1.99}, {1.3, 1.8, 1.99}, {1.3, 1.2, 1.99}}});
-  for (Polygon p : box(0.6, 0.6, 0.8)) all.push_back(moved(turned_over(p), {0.5, 1, 0.01}));
+  for (const Polygon& p : box(0.6, 0.6, 0.8)) all.push_back(moved(turned_over(p), {0.5, 1, 0.01}));
   // Lambert's form of the ceiling without the union of both shadows, at 15 million points of the floor.
   const double floor_to_ceiling = 0.1918004;
   for (const double target : {1e-3, 1e-4, 1e-6}) {
@@ -77,14 +77,14 @@ TEST(ViewFactors, APlateThatReachesALittleThroughAWall) {
 TEST(ViewFactors, WallsThatReachIntoABoxSeeEachOtherThere) {
   std::vector<Polygon> walls = box(2.8, 1.5, 1.1);
   std::vector<Polygon> all = {walls[1], walls[4]};
-  for (Polygon p : box(0.7, 0.75, 0.4)) all.push_back(moved(turned_over(p), {0.9, 1, 0.75}));
+  for (const Polygon& p : box(0.7, 0.75, 0.4)) all.push_back(moved(turned_over(p), {0.9, 1, 0.75}));
   expect_as_contours(all, 1e-4);
 }
 
 TEST(ViewFactors, BoxesThatReachIntoEachOther) {
   std::vector<Polygon> all;
-  for (Polygon p : box(1, 1, 1)) all.push_back(turned_over(p));
-  for (Polygon p : box(0.8, 0.6, 0.7)) all.push_back(moved(turned_over(p), {0.7, 0.3, 0.8}));
+  for (const Polygon& p : box(1, 1, 1)) all.push_back(turned_over(p));
+  for (const Polygon& p : box(0.8, 0.6, 0.7)) all.push_back(moved(turned_over(p), {0.7, 0.3, 0.8}));
   expect_as_contours(all, 1e-4);
 }
 
