@@ -57,7 +57,8 @@ int run(const Arguments& arguments, Session& session) {
   const std::vector<Path> outputs = checked_outputs(arguments, session, kFormats);
   Stopwatch watch;
   const ViewFactorScene scene =
-      load_view_factor_scene(arguments.text("model"), surfaces_by(arguments.text("by")), arguments.number("units"));
+      load_view_factor_scene(arguments.text("model"), surfaces_by(arguments.text("by")),
+                             arguments.given("two-sided") ? Backs::see : Backs::hide, arguments.number("units"));
   const double load_seconds = watch.lap();
   session.show_warnings(scene.warnings);
   const ViewFactorJob job = job_of(arguments, scene);
@@ -101,6 +102,7 @@ constexpr Option kOptions[] = {
      .value = "WHAT",
      .fallback = "face",
      .choices = kBy},
+    {.name = "two-sided", .help = "backs of two-sided materials take part, too"},
     {.name = "repair", .help = "make the rows of a closed enclosure sum to 1, keeping reciprocity"},
     {.name = "gray-body", .help = "exchange of heat between grey surfaces: Gebhart factors, script-F and balance"},
     {.name = "emissivity",

@@ -98,10 +98,12 @@ void bind_view_factors(py::module_& m) {
       .def("gray_exchange", &exchange)
       .def("gray_balance", &balance)
       .def_property_readonly("errors", [](const A& a) { return a.of(a.factors->errors); });
-  m.def("surfaces_of_scene",
-        [](const Scene& scene, const std::string& by) { return surfaces_of(scene, surfaces_by(by)); });
-  m.def("surfaces_of_file",
-        [](const std::string& path, const std::string& by) { return load_view_factor_scene(path, surfaces_by(by)); });
+  m.def("surfaces_of_scene", [](const Scene& scene, const std::string& by, bool backs) {
+    return surfaces_of(scene, surfaces_by(by), backs ? Backs::see : Backs::hide);
+  });
+  m.def("surfaces_of_file", [](const std::string& path, const std::string& by, bool backs) {
+    return load_view_factor_scene(path, surfaces_by(by), backs ? Backs::see : Backs::hide);
+  });
   m.def("view_factors", &compute);
 }
 

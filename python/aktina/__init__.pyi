@@ -142,6 +142,7 @@ def view_factors(
     by: str = "face",
     target_error: float = 1e-4,
     repair: bool = False,
+    two_sided: bool = False,
     progress: Callable[[str, str, int, int, float], None] | None = None,
 ) -> ViewFactors: ...
 def form_factor(

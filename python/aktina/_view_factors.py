@@ -82,13 +82,14 @@ class ViewFactors:
         return f"<aktina.ViewFactors: {len(self.areas)} surfaces, {len(self.data)} factors above 0>"
 
 
-def view_factors(scene, by="face", target_error=1e-4, repair=False, progress=None):
+def view_factors(scene, by="face", target_error=1e-4, repair=False, two_sided=False, progress=None):
     """View factors between the fronts of all surfaces of a model, which hide each other, with a certificate.
 
     scene : an aktina.Scene, or the path of a file that `aktina.load` reads, or of a View3D input file (.vs3).
     by : "face": each polygon of the file is a surface; "object": each object; "material": all of one material.
     target_error : wanted absolute error of each factor, 1e-8 .. 0.1.
     repair : make the rows of a closed enclosure sum to 1, keeping reciprocity. Otherwise nothing is normalised.
+    two_sided : backs of two-sided materials take part, too: by face as surfaces "NAME/back" of their own.
     progress : called as progress(stage, unit, done, total, seconds) now and then.
     Returns ViewFactors.
     Raises BadInput (no surface with an area; repair of an open scene), BadParam, UsageError, LimitExceeded (memory,
@@ -104,8 +105,8 @@ def view_factors(scene, by="face", target_error=1e-4, repair=False, progress=Non
     False
     """
     if isinstance(scene, Scene):
-        surfaces = _core.surfaces_of_scene(scene._scene, by)
+        surfaces = _core.surfaces_of_scene(scene._scene, by, bool(two_sided))
     else:
-        surfaces = _core.surfaces_of_file(os.fspath(scene), by)
+        surfaces = _core.surfaces_of_file(os.fspath(scene), by, bool(two_sided))
     return ViewFactors(_core.view_factors(surfaces, number("target_error", target_error, 1e-8, 0.1), bool(repair),
                                           progress))

@@ -106,6 +106,28 @@ def test_what_is_refused(error, a, b, options):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_a_hole_is_reached_by_a_bridge(method):
+    def square(half, z):
+        return [[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]
+    outer, inner = square(1, 0), square(0.5, 0)
+    frame = outer + outer[:1] + [inner[0]] + inner[:0:-1] + [inner[0]]
+    above = square(1, 1)[::-1]
+    assert aktina.polygon_area(frame) == 3
+
+    def seen(from_above):
+        return aktina.form_factors([above, from_above], method=method)[0][0, 1]
+    assert seen(frame) == pytest.approx(seen(outer) - seen(inner), abs=2e-3)
+    # Through the hole, and past the frame.
+    low, high = square(0.3, -1), square(0.3, 1)[::-1]
+    through = aktina.form_factors([high, low, frame, frame[::-1]], method=method)[0][0, 1]
+    alone = aktina.form_factors([high, low], method=method)[0][0, 1]
+    assert through == pytest.approx(alone, abs=2e-3)
+    wide, far = square(1, 1)[::-1], square(1, -1)
+    past = aktina.form_factors([wide, far, frame], method=method)[0][0, 1]
+    assert past == pytest.approx(0.1005, abs=1e-2), "4 million rays: 0.1005"
+
+
 def test_the_matrix_refuses_the_same_and_too_many():
     with pytest.raises(aktina.BadInput, match="surface 1"):
         aktina.form_factors([FLOOR, FLOOR * 0])

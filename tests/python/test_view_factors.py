@@ -67,6 +67,19 @@ class ViewFactors(unittest.TestCase):
         with self.assertRaises(aktina.BadInput):
             f.gray_body(0.5, flux=0)
 
+    def test_both_sides_of_a_plate_close_with_the_room(self):
+        plate = {"vertices": [[0.3, 0.3, 0.4], [0.7, 0.3, 0.4], [0.7, 0.8, 0.6], [0.3, 0.8, 0.6]],
+                 "triangles": [[0, 1, 2], [0, 2, 3]], "material": {"double_sided": True}}
+        scene = aktina.Scene([ROOM, plate])
+        one, both = aktina.view_factors(scene), aktina.view_factors(scene, two_sided=True)
+        self.assertEqual(one.F.shape, (7, 7))
+        self.assertEqual(both.F.shape, (8, 8))
+        np.testing.assert_allclose(both.F.sum(1), 1, atol=3e-4)
+        self.assertLess(one.F[:6].sum(1).min(), 0.99)
+        np.testing.assert_allclose(both.F[:7, :7], one.F, atol=2e-4)
+        self.assertEqual(both.F[6, 7], 0)
+        self.assertTrue(both.names[7].endswith("/back"))
+
     def test_faults(self):
         with self.assertRaises(aktina.UsageError):
             aktina.view_factors(aktina.Scene([ROOM]), by="vertex")

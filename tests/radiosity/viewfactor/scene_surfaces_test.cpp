@@ -84,6 +84,22 @@ TEST(SurfacesOf, WhatIsNotPlanarBecomesTrianglesOfOneSurface) {
   EXPECT_FALSE(surfaces.warnings.empty());
 }
 
+TEST(SurfacesOf, BacksOfTwoSidedMaterialsTakePartWhereAsked) {
+  Scene scene = square(false);
+  scene.meshes[0].positions.insert(scene.meshes[0].positions.end(), {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}});
+  scene.meshes[0].triangles.push_back({4, 5, 6});
+  scene.materials.resize(2);
+  scene.materials[1].double_sided = true;
+  scene.instances = {{.mesh = 0, .material = 1}, {.mesh = 0, .material = 0}};
+  scene.meshes[0].name = "plate";
+  const ViewFactorScene surfaces = surfaces_of(scene, SurfacesBy::face, Backs::see);
+  EXPECT_THAT(surfaces.names, ElementsAre("plate:0", "plate:0/back", "plate:1", "plate:1/back", "plate:0", "plate:1"));
+  EXPECT_GT(newell_normal(surfaces.pieces[0]).z, 0);
+  EXPECT_LT(newell_normal(surfaces.pieces[1]).z, 0);
+  EXPECT_THAT(surfaces_of(scene, SurfacesBy::object, Backs::see).owners, ElementsAre(0, 0, 0, 0, 1, 1));
+  EXPECT_EQ(surfaces_of(scene, SurfacesBy::face).pieces.size(), 4U);
+}
+
 TEST(SurfacesOf, NothingWithAnAreaIsAnError) {
   Scene scene = square(true);
   for (Point3& p : scene.meshes[0].positions) p = {0, 0, 0};

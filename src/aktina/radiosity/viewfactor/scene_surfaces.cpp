@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -26,13 +27,14 @@ std::string object_name(const Scene& scene, size_t index) {
 /// Adds the polygons of one instance after another.
 class Collector {
  public:
-  Collector(const Scene& scene, SurfacesBy by) : scene_(scene), by_(by) {}
+  Collector(const Scene& scene, SurfacesBy by, Backs backs) : scene_(scene), by_(by), backs_(backs) {}
 
   ViewFactorScene run() {
     for (size_t i = 0; i < scene_.instances.size(); ++i)
       if (scene_.instances[i].mesh >= 0) add_instance(i);
     for (size_t i = 0; i < numbers_.size(); ++i)  // an object of one polygon gives it its name
-      if (faces_of_[numbers_[i].object] > 1) result_.names[i] += fmt::format(":{}", numbers_[i].number);
+      result_.names[i] += (faces_of_[numbers_[i].object] > 1 ? fmt::format(":{}", numbers_[i].number) : "") +
+                          (numbers_[i].back ? "/back" : "");
     result_.warnings.add("polygons without area were left out", empty_);
     result_.warnings.add("polygons that are not planar or have holes were taken as several triangles", cut_);
     if (result_.pieces.empty()) throw Error(Code::bad_input, scene_.source, "has no surface with an area");
@@ -44,6 +46,7 @@ class Collector {
   struct Number {
     int64_t object;
     size_t number;
+    bool back;
   };
 
   void add_instance(size_t index) {
@@ -55,15 +58,23 @@ class Collector {
     const bool mirrored = glm::determinant(to_world) < 0;
     const int64_t object = instance.node >= 0 ? instance.node : -2 - int64_t(index);
     const std::string name = object_name(scene_, index);
+    const bool both_sides = backs_ == Backs::see && scene_.material_of(instance).double_sided;
     std::vector<std::vector<Triangle>> faces = faces_of(mesh, mirrored);
     for (const std::vector<Triangle>& face : faces) {
       pieces_.clear();
       cut(face);
       const size_t number = faces_of_[object]++;
       if (pieces_.empty()) continue;
-      const uint32_t owner = surface(instance, mesh, object, name, number);
-      for (Polygon& piece : pieces_) result_.pieces.push_back(std::move(piece)), result_.owners.push_back(owner);
+      add_pieces(surface(instance, mesh, object, name, {object, number, false}));
+      if (!both_sides) continue;
+      for (Polygon& piece : pieces_) std::reverse(piece.vertices.begin(), piece.vertices.end());
+      add_pieces(surface(instance, mesh, object, name, {object, number, true}));
     }
+  }
+
+  void add_pieces(uint32_t owner) {
+    result_.pieces.insert(result_.pieces.end(), pieces_.begin(), pieces_.end());
+    result_.owners.resize(result_.pieces.size(), owner);
   }
 
   /// The triangles of each polygon, in the file's order.
@@ -126,9 +137,9 @@ class Collector {
     return corners;
   }
 
-  uint32_t surface(const Instance& instance, const Mesh& mesh, int64_t object, const std::string& name, size_t number) {
+  uint32_t surface(const Instance& instance, const Mesh& mesh, int64_t object, const std::string& name, Number number) {
     if (by_ == SurfacesBy::face) {
-      numbers_.push_back({object, number});
+      numbers_.push_back(number);
       return add_surface(name);
     }
     if (by_ == SurfacesBy::object) return known(object, name);
@@ -152,6 +163,7 @@ class Collector {
 
   const Scene& scene_;
   SurfacesBy by_;
+  Backs backs_;
   ViewFactorScene result_;
   std::vector<Point3d> points_;
   std::vector<Polygon> pieces_;
@@ -163,9 +175,9 @@ class Collector {
 
 }  // namespace
 
-ViewFactorScene surfaces_of(const Scene& scene, SurfacesBy by) {
+ViewFactorScene surfaces_of(const Scene& scene, SurfacesBy by, Backs backs) {
   const TessellatedScene tessellated(scene);
-  return Collector(*tessellated, by).run();
+  return Collector(*tessellated, by, backs).run();
 }
 
 }  // namespace aktina
