@@ -62,6 +62,7 @@ int run(const Arguments& arguments, Session& session) {
   const double load_seconds = watch.lap();
   session.show_warnings(scene.warnings);
   const ViewFactorJob job = job_of(arguments, scene);
+  session.begin_work();
   ViewFactorResult result = view_factors(scene, job, session.progress());
   result.report.settings = session.settings();
   result.report.timings.insert(result.report.timings.begin(), {"load", load_seconds});
@@ -71,6 +72,7 @@ int run(const Arguments& arguments, Session& session) {
     session.wrote(output);
   }
   result.report.time("write", watch.lap());
+  if (!result.report.complete) session.show_warnings(result.report.warnings);
   const bool met = result.certificate.largest_error <= job.options.target_error;
   if (!met)
     session.note(fmt::format("the estimated error of {:.2g} is above the target", result.certificate.largest_error));

@@ -123,6 +123,9 @@ void write(const Path& path, const ViewFactorFile& data) {
   data.factors.size() <= kMostDense ? add_dense(file, data.factors) : add_sparse(file, data.factors);
   add(file, "areas", data.factors.areas, {data.factors.size()});
   add_names(file, data.factors.names);
+  const std::vector<uint8_t>& complete = data.factors.complete;
+  if (!complete.empty())
+    add(file, "complete", std::vector<uint64_t>(complete.begin(), complete.end()), {complete.size()});
   add_gray(file, data);
   add_attribute(file, "certificate", data.certificate);
   for (const auto& [name, value] : data.metadata) add_attribute(file, name, value);

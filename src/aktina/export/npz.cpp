@@ -236,6 +236,7 @@ void write_npz(const Path& path, const ViewFactorFile& file) {
     f.size() <= kMostDense ? add_dense(npz, f) : add_sparse(npz, f);
     npz.numbers("areas", "<f8", f.areas, shape_of(f.size()));
     npz.texts("names", f.names, shape_of(f.size()));
+    if (!f.complete.empty()) npz.numbers("complete", "|u1", f.complete, shape_of(f.size()));
     add_gray(npz, file);
     npz.texts("certificate", {file.certificate}, "()");
     for (const auto& [name, value] : file.metadata) npz.texts(name, {value}, "()");

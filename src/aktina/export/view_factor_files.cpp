@@ -1,5 +1,7 @@
 #include "aktina/export/view_factor_files.h"
 
+#include <cmath>
+
 #include "aktina/base/error.h"
 
 namespace aktina {
@@ -7,6 +9,8 @@ namespace aktina {
 std::vector<double> dense_row(const ViewFactors& factors, size_t i) {
   std::vector<double> row(factors.size(), 0);
   for (uint64_t k = factors.starts[i]; k < factors.starts[i + 1]; ++k) row[factors.columns[k]] = factors.factors[k];
+  for (size_t j = 0; j < row.size(); ++j)
+    if (!factors.known(i, j)) row[j] = std::nan("");
   return row;
 }
 

@@ -32,7 +32,7 @@ void write_view_factors_csv(const Path& path, const ViewFactorFile& file);
 void write_view_factors_vtu(const Path& path, const ViewFactorFile& file);
 void write_view3d(const Path& path, const ViewFactorFile& file);
 
-/// A row as N numbers.
+/// A row as N numbers; NaN where nothing is known (ViewFactors::complete).
 std::vector<double> dense_row(const ViewFactors& factors, size_t i);
 
 }  // namespace aktina

@@ -71,6 +71,14 @@ ViewFactorResult view_factors(const ViewFactorScene& scene, const ViewFactorJob&
   result.certificate = certify(result.factors);
   add_to_report(result.report, result);
   result.report.time("certificate", watch.lap());
+  if (!result.factors.complete.empty()) {
+    result.report.complete = false;
+    const auto rows = std::count(result.factors.complete.begin(), result.factors.complete.end(), 1);
+    result.report.warnings.add(
+        fmt::format("stopped: {} of {} rows are complete; what lies between two of the others is not known", rows,
+                    result.factors.size()));
+    return result;
+  }
   if (job.repair) {
     result.largest_repair = repair(result.factors);
     result.repaired = true;
@@ -97,6 +105,7 @@ std::string certificate_json(const ViewFactorResult& result) {
   auto& worst = json["worst_rows"] = nlohmann::ordered_json::array();
   for (const Certificate::Row& row : c.worst)
     worst.push_back({{"surface", names[row.surface]}, {"index", row.surface}, {"sum", row.sum}, {"error", row.error}});
+  if (!result.factors.complete.empty()) json["complete_rows"] = result.factors.complete;
   json["repaired"] = result.repaired;
   if (result.repaired) json["largest_repair"] = result.largest_repair;
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "aktina/base/error.h"
@@ -54,6 +55,33 @@ TEST(ViewFactors, NarrowGapsCount) {
     const ViewFactors f = view_factors(one_each(all), {.target_error = target});
     EXPECT_NEAR(f.at(0, 1), floor_to_ceiling, target + 2e-7) << target;
   }
+}
+
+TEST(ViewFactors, WhereItIsStoppedTheRowsThatAreCompleteStay) {
+  std::vector<Polygon> all = box(2, 3, 2);
+  for (int k = 0; k < 60; ++k) {
+    const Vec3d at(0.2 + 0.4 * (k % 4), 0.2 + 0.5 * (k / 4 % 5), 0.3 + 0.5 * (k / 20));
+    for (const Polygon& p : box(0.1, 0.1, 0.1)) all.push_back(moved(turned_over(p), at));
+  }
+  const ViewFactorScene scene = one_each(all);
+  const ViewFactors whole = view_factors(scene, {});
+  Progress* running = nullptr;
+  Progress progress([&](const ProgressState& state) { state.done >= 6 ? running->cancel() : void(); }, 0);
+  running = &progress;
+  const ViewFactors f = view_factors(scene, {}, &progress);
+  ASSERT_EQ(f.complete.size(), f.size());
+  const auto complete = std::count(f.complete.begin(), f.complete.end(), 1);
+  EXPECT_GT(complete, 0);
+  EXPECT_LT(complete, std::ptrdiff_t(f.size()));
+  for (size_t i = 0; i < f.size(); ++i)
+    for (size_t j = 0; j < f.size(); ++j) EXPECT_EQ(f.at(i, j), f.known(i, j) ? whole.at(i, j) : 0) << i << ' ' << j;
+  EXPECT_GE(certify(f).least_sum, certify(whole).least_sum) << "of the complete rows";
+}
+
+TEST(ViewFactors, StoppedBeforeARowIsCompleteIsCancelled) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(view_factors(room_with_box(), {}, &progress), Error);
 }
 
 /// Held against the contours, whose occluders are no bodies: they only hide, from outside and from inside.

@@ -49,11 +49,13 @@ Certificate certify(const ViewFactors& f) {
   Sum squares, area;
   std::vector<Certificate::Row> rows;
   for (size_t i = 0; i < f.size(); ++i) {
+    if (!f.known(i, i)) continue;
     double error = 0;
     for (uint64_t k = f.starts[i]; k < f.starts[i + 1]; ++k) error += double(f.errors[k]);
     rows.push_back({uint32_t(i), f.row_sum(i), error});
-    squares.add(f.areas[i] * (rows[i].sum - 1) * (rows[i].sum - 1)), area.add(f.areas[i]);
+    squares.add(f.areas[i] * (rows.back().sum - 1) * (rows.back().sum - 1)), area.add(f.areas[i]);
   }
+  if (rows.empty()) return c;
   c.mean_closure = std::sqrt(squares.value() / area.value());
   const auto [least, most] =
       std::minmax_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.sum < b.sum; });

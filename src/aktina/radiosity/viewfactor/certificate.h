@@ -24,6 +24,7 @@ struct Certificate {
   std::vector<Row> worst;  // rows farthest from 1 (closed), above 1 or with the largest errors; at most ten
 };
 
+/// Sums of rows: of the complete ones.
 Certificate certify(const ViewFactors& factors);
 
 /// Makes the rows of a closed enclosure sum to 1 by the least change of the exchange areas A_i F_ij, each weighted by

@@ -1,6 +1,7 @@
 #include "aktina/radiosity/viewfactor/exchange.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "aktina/base/parallel.h"
@@ -85,12 +86,15 @@ void find_all(const PairSetting& setting, const LeafTree& tree, std::span<const 
   std::vector<bool> is_asked(leaves.size(), false);
   for (const uint32_t a : asked) is_asked[a] = true;
   std::vector<HeldPairs> held(asked.size());
+  std::vector<uint8_t> done(asked.size(), 0);
+  std::atomic<size_t> next{0};  // in their order, so that the first ones are complete where it is stopped
   parallel_for(asked.size(), 1, [&](size_t begin, size_t end) {
     PairExchange<T> pair(setting);
     PairExchange<double> precise(setting);
     LeafView view;
-    for (size_t k = begin; k < end; ++k) {
-      if (progress) progress->throw_if_cancelled();
+    for (size_t taken = begin; taken < end; ++taken) {
+      if (progress && progress->cancelled()) return;
+      const size_t k = next.fetch_add(1, std::memory_order_relaxed);
       const uint32_t a = asked[k];
       tree.visit(leaves[a], all ? a + 1 : 0, setting.blockers, setting.tolerance, [&](uint32_t b) {
         if (b == a || (b < a && is_asked[b])) return;
@@ -102,12 +106,15 @@ void find_all(const PairSetting& setting, const LeafTree& tree, std::span<const 
         else
           pair.run(low, high, view, result.lists[k], held[k]);
       });
+      done[k] = 1;
       if (progress) progress->advance();
     }
   });
-  for (const HeldPairs& h : held) {
-    result.largest_excess = std::max(result.largest_excess, h.largest_excess);
-    result.held += h.count;
+  while (result.complete < done.size() && done[result.complete]) ++result.complete;
+  for (size_t k = result.complete; k < asked.size(); ++k) result.lists[k].clear();
+  for (size_t k = 0; k < result.complete; ++k) {
+    result.largest_excess = std::max(result.largest_excess, held[k].largest_excess);
+    result.held += held[k].count;
   }
 }
 

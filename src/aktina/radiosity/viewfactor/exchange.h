@@ -27,6 +27,7 @@ struct LeafExchange {
 
 struct Exchanges {
   std::vector<std::vector<LeafExchange>> lists;  // of each leaf asked for
+  size_t complete = 0;                           // of them, the first ones that are: less than all where it was stopped
   double largest_excess = 0;                     // of a factor above its unobstructed value, before it was held to that
   uint64_t held = 0;                             // pairs
 };
@@ -46,7 +47,7 @@ class ExchangeFinder {
   Forecast forecast() const;
 
   /// Between the leaves asked for (ascending) and all leaves; what lies between two that are asked for comes once.
-  /// @throws Error cancelled
+  /// Stopped: what is known of the first leaves.
   Exchanges find(std::span<const uint32_t> leaves, Progress* progress) const;
 
  private:

@@ -25,6 +25,12 @@ Ownership::Ownership(const ViewFactorScene& scene, const Faces& faces, const Lea
   });
 }
 
+std::vector<uint8_t> Ownership::within(size_t leaves) const {
+  std::vector<uint8_t> flags;
+  for (const std::vector<uint32_t>& own : of_surface_) flags.push_back(own.empty() || own.back() < leaves);
+  return flags;
+}
+
 std::vector<uint32_t> Ownership::leaves_of(std::span<const uint32_t> surfaces) const {
   std::vector<uint32_t> all;
   for (const uint32_t i : surfaces) all.insert(all.end(), of_surface_[i].begin(), of_surface_[i].end());

@@ -18,6 +18,8 @@ class Ownership {
   uint32_t count(uint32_t leaf) const { return leaves_.leaves[leaf].count; }
   /// Of the fragment in a lane of a leaf.
   uint32_t owner(uint32_t leaf, uint32_t lane) const { return owners_[leaves_.leaves[leaf].first + lane]; }
+  /// By surface: 1 where all its fragments are in the first `leaves`.
+  std::vector<uint8_t> within(size_t leaves) const;
   /// Leaves with fragments of any of the surfaces, ascending.
   std::vector<uint32_t> leaves_of(std::span<const uint32_t> surfaces) const;
   /// The surfaces in the order of their first leaves: those that share leaves are near each other.

@@ -59,7 +59,9 @@ ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& 
   std::iota(leaves.begin(), leaves.end(), 0U);
   if (progress) progress->begin("view factors", "leaves", leaves.size());
   const Exchanges exchanges = finder.find(leaves, progress);
+  if (exchanges.complete == 0) throw Error(Code::cancelled, "view factors", "stopped before a row was complete");
   ViewFactors result;
+  if (exchanges.complete < leaves.size()) result.complete = ownership.within(exchanges.complete);
   result.names = scene.names, result.areas = ownership.areas();
   result.largest_excess = exchanges.largest_excess, result.held = exchanges.held;
   std::vector<uint64_t> counts(ownership.surfaces());

@@ -36,6 +36,9 @@ struct ViewFactors {
   LargeArray<double> factors;
   LargeArray<float> errors;  // estimate of each factor's absolute error
 
+  /// By surface: 1 where its row is complete; empty where all are. What is missing lies between two that are not.
+  std::vector<uint8_t> complete;
+
   // Of what the integration found before a factor was held between 0 and its unobstructed value; see Certificate.
   double largest_excess = 0;  // above the unobstructed factor
   uint64_t held = 0;          // pairs
@@ -43,6 +46,7 @@ struct ViewFactors {
   size_t size() const { return areas.size(); }
   double row_sum(size_t i) const;
   double at(size_t i, size_t j) const;  // 0 where nothing is stored
+  bool known(size_t i, size_t j) const { return complete.empty() || complete[i] || complete[j]; }
 };
 
 struct ViewFactorOptions {
@@ -51,7 +55,7 @@ struct ViewFactorOptions {
 };
 
 /// @throws Error bad_input (no surface; a polygon as make_face() refuses it), limit (memory, foreseen),
-/// bad_param, cancelled
+/// bad_param; cancelled (before a row was complete; else those that are come back)
 ViewFactors view_factors(const ViewFactorScene& scene, const ViewFactorOptions& options, Progress* progress = nullptr);
 
 }  // namespace aktina

@@ -41,6 +41,7 @@ Truth exact_rows(RunWork& work) {
   Truth truth{{all.pieces, all.occluders}, {}, {}};
   const ViewFactors exact =
       within(work.progress, [&](Progress& inner) { return view_factors(all, {.target_error = kExact}, &inner); });
+  work.progress.throw_if_cancelled();
   const size_t count = std::min(n, kMostRows);
   for (size_t k = 0; k < count; ++k) {
     truth.rows.push_back(k * n / count);
