@@ -236,6 +236,7 @@ def box_room():
 def formfactor(methods):
     scene = box_room()
     quick = {"contour": "contour:tolerance=0.001", "analytic": "analytic:points=2",
+             "cubature": "cubature:tolerance=0.001",
              "hemicube": "hemicube:resolution=64,hemicubes=1", "monte_carlo": "monte_carlo:samples=4096", "hemisphere": "hemisphere:points=4",
              "single_plane": "single_plane:points=1", "cubic_tetrahedron": "cubic_tetrahedron:points=4"}
     for method in methods:

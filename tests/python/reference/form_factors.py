@@ -15,7 +15,7 @@ def kinds():
     polygons = [Method(id, ANALYTIC if id in EXACT else SAMPLED, lambda case, id=id: between_polygons(id, case),
                        lambda case, id=id: id not in BY_SOLID_ANGLE or not far_away(case))
                 for id in ids("formfactor") if id not in PARTIAL]
-    points = [Method(id, ANALYTIC if id in (*EXACT, "analytic") else SAMPLED, lambda case, id=id: from_point(id, case),
+    points = [Method(id, ANALYTIC if id in (*EXACT, "analytic", "cubature") else SAMPLED, lambda case, id=id: from_point(id, case),
                      lambda case, id=id: id not in BY_SOLID_ANGLE or not far_away(case))
               for id in ids("formfactor") if id not in PARTIAL]
     shapes = {"point_disc": point_disc, "disc_disc_coaxial": coaxial_discs, "point_sphere": point_sphere,

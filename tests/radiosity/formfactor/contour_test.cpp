@@ -97,5 +97,29 @@ TEST(Analytic, IsExactForADifferentialArea) {
   EXPECT_NEAR(row.factors[0], 0.239456470461 / 2, 1e-12) << "the normal need not be of unit length";
 }
 
+/// The short block of the Cornell box under the ceiling, past the tall one and a lamp that hangs half a millimetre
+/// below.
+TEST(Contour, ALampCloseToTheCeilingAndABlockBesideTheOther) {
+  const Polygon block{{{0.268166, 0.165, -0.112885},
+                       {0.426115, 0.165, -0.065166},
+                       {0.473834, 0.165, -0.223115},
+                       {0.315885, 0.165, -0.270834}}};
+  const Polygon ceiling{{{0, 0.5488, -0.5592}, {0.556, 0.5488, -0.5592}, {0.556, 0.5488, 0}, {0, 0.5488, 0}}};
+  const Point3d a(0.133112, 0, -0.248545), b(0.290955, 0, -0.296612), c(0.242888, 0, -0.454455),
+      d(0.085045, 0, -0.406388);
+  const Vec3d up(0, 0.33, 0);
+  const std::vector<Polygon> others = {
+      {{a, b, b + up, a + up}},
+      {{b, c, c + up, b + up}},
+      {{a + up, b + up, c + up, d + up}},
+      {{{0.213, 0.5483, -0.332}, {0.343, 0.5483, -0.332}, {0.343, 0.5483, -0.227}, {0.213, 0.5483, -0.227}}}};
+  const double exact = 0.3177545;  // 25 million quasi-random pairs of points: +- 1e-6
+  for (const char* choice : {"contour:tolerance=1e-5", "cubature:tolerance=1e-5", "hybrid:target_error=1e-6"}) {
+    const auto method = make_method(formfactors(), "formfactor", choice);
+    method->build({{block, ceiling}, others});
+    EXPECT_NEAR(method->row(0).factors[1], exact, 1.3e-5) << choice;
+  }
+}
+
 }  // namespace
 }  // namespace aktina

@@ -1,9 +1,9 @@
 #include "aktina/radiosity/formfactor/occluded.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "aktina/radiosity/formfactor/adaptive_triangles.h"
 #include "aktina/radiosity/formfactor/point_to_polygon.h"
 #include "aktina/radiosity/formfactor/polygon_to_polygon.h"
 #include "aktina/radiosity/formfactor/quadrature.h"
@@ -147,79 +147,34 @@ bool cut_cells(Pair& pair) {
   return critical.complete();
 }
 
-/// Integrates what is hidden over the receiver: always halves the triangle whose error is largest.
-class HiddenArea {
- public:
-  /// @param halvings  of each triangle before its error is believed
-  HiddenArea(const Pair& pair, double tolerance, int halvings) : pair_(pair) {
-    for (const Contour& cell : pair.cells)
-      for (size_t i = 1; i + 1 < cell.size(); ++i) add({cell[0], cell[i], cell[i + 1]}, halvings);
-    while (error_ > tolerance && points_ < kMostPoints) {
-      std::pop_heap(parts_.begin(), parts_.end());
-      const Part worst = parts_.back();
-      parts_.pop_back();
-      hidden_ -= worst.hidden, error_ -= worst.error;
-      halve(worst.triangle, 0);
-    }
-    hidden_ = error_ = 0;  // once more, without what the differences left
-    for (const Part& part : parts_) hidden_ += part.hidden, error_ += part.error;
-  }
-
-  bool anything_visible() const { return visible_; }
-  Estimate hidden() const { return {hidden_, error_}; }
-
- private:
-  struct Part {
-    std::array<Point3d, 3> triangle;
-    double hidden, error;
-    bool operator<(const Part& other) const { return error < other.error; }
-  };
-
-  double gauss(const std::array<Point3d, 3>& triangle, int n) {
-    double sum = 0;
-    for (const SurfaceSample& s : gauss_points(triangle, pair_.receiver.normal, n)) {
-      const VisiblePart part = visible_part(s.x, pair_.receiver.normal, pair_.sources, pair_.occluders, pair_.margin);
-      visible_ = visible_ || part.visible > 0;
-      sum += s.area * part.hidden;
-    }
-    points_ += size_t(n * n);
-    return sum;
-  }
-
-  void add(const std::array<Point3d, 3>& triangle, int halvings) {
-    if (halvings > 0) {
-      halve(triangle, halvings - 1);
-      return;
-    }
-    const double coarse = gauss(triangle, 3), fine = gauss(triangle, 5), error = std::abs(fine - coarse);
-    parts_.push_back({triangle, fine, error});
-    std::push_heap(parts_.begin(), parts_.end());
-    hidden_ += fine, error_ += error;
-  }
-
-  void halve(const std::array<Point3d, 3>& triangle, int halvings) {
-    size_t longest = 0;
-    const auto edge = [&](size_t i) { return triangle[(i + 1) % 3] - triangle[i]; };
-    for (size_t i = 1; i < 3; ++i)
-      if (squared_length(edge(i)) > squared_length(edge(longest))) longest = i;
-    const Point3d a = triangle[longest], b = triangle[(longest + 1) % 3], c = triangle[(longest + 2) % 3];
-    add({c, a, 0.5 * (a + b)}, halvings);
-    add({c, 0.5 * (a + b), b}, halvings);
-  }
-
-  const Pair& pair_;
-  std::vector<Part> parts_;  // a heap
-  double hidden_ = 0, error_ = 0;
-  size_t points_ = 0;
-  bool visible_ = false;
+/// What is hidden, integrated over the receiver.
+struct HiddenArea {
+  Estimate hidden;
+  bool anything_visible;
 };
 
-/// How near the occluders come to a plane.
-double clearance(const Plane& plane, std::span<const Contour> occluders) {
-  double nearest = INFINITY;
-  for (const Contour& occluder : occluders)
-    for (const Point3d& p : occluder) nearest = std::min(nearest, plane.height(p));
-  return nearest;
+/// @param halvings  of each triangle before its error is believed
+HiddenArea hidden_area(const Pair& pair, double tolerance, int halvings) {
+  size_t points = 0;
+  bool visible = false;
+  const auto gauss = [&](const Triangle& triangle, int n) {
+    double sum = 0;
+    for (const SurfaceSample& s : gauss_points(triangle, pair.receiver.normal, n)) {
+      const VisiblePart part = visible_part(s.x, pair.receiver.normal, pair.sources, pair.occluders, pair.margin);
+      visible = visible || part.visible > 0;
+      sum += s.area * part.hidden, ++points;
+    }
+    return sum;
+  };
+  const auto rule = [&](const Triangle& triangle) {
+    const double coarse = gauss(triangle, 3), fine = gauss(triangle, 5);
+    return Estimate{fine, std::abs(fine - coarse)};
+  };
+  AdaptiveTriangles triangles(rule);
+  for (const Contour& cell : pair.cells)
+    for (size_t i = 1; i + 1 < cell.size(); ++i) triangles.add({cell[0], cell[i], cell[i + 1]}, halvings);
+  triangles.refine(tolerance, [&] { return points < kMostPoints; });
+  return {triangles.sum(), visible};
 }
 
 Pair make_pair(const Face& receiver, const Face& source, std::vector<Contour> occluders, double margin) {
@@ -228,6 +183,17 @@ Pair make_pair(const Face& receiver, const Face& source, std::vector<Contour> oc
 }
 
 }  // namespace
+
+double clearance(const Face& face, std::span<const Contour> occluders) {
+  double nearest = INFINITY;
+  for (const Contour& occluder : occluders)
+    for (const Point3d& p : occluder) {
+      const double height = face.plane.height(p);
+      const double beside = std::sqrt(std::max(squared_length(p - face.centre) - height * height, 0.0)) - face.radius;
+      nearest = std::min(nearest, std::hypot(height, std::max(beside, 0.0)));
+    }
+  return nearest;
+}
 
 bool may_hide(const Face& occluder, const Face& a, const Face& b) {
   // Within the capsule around both bounding spheres?
@@ -256,15 +222,15 @@ Estimate exchange_area(const Face& a, const Face& b, std::span<const Face* const
   if (blocking.empty()) return {unoccluded, rest};
 
   // The receiver is the face farther from the occluders: near them the shadow's edge is sharp.
-  const double from_a = clearance(a.plane, blocking), from_b = clearance(b.plane, blocking);
+  const double from_a = clearance(a, blocking), from_b = clearance(b, blocking);
   const bool a_receives = from_a != from_b ? from_a > from_b : a.radius <= b.radius;
   Pair pair = a_receives ? make_pair(a, b, std::move(blocking), margin) : make_pair(b, a, std::move(blocking), margin);
   int halvings = 0;
   if (!cut_cells(pair))
     while (pair.cells.size() << halvings < kFewCells) ++halvings;
-  const HiddenArea area(pair, tolerance * a.area, halvings);
-  if (!area.anything_visible()) return {0, area.hidden().error};
-  return {std::clamp(unoccluded - area.hidden().value, 0.0, unoccluded), area.hidden().error + rest};
+  const HiddenArea area = hidden_area(pair, tolerance * a.area, halvings);
+  if (!area.anything_visible) return {0, area.hidden.error};
+  return {std::clamp(unoccluded - area.hidden.value, 0.0, unoccluded), area.hidden.error + rest};
 }
 
 }  // namespace aktina

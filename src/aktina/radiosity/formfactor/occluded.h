@@ -21,4 +21,8 @@ Estimate exchange_area(const Face& a, const Face& b, std::span<const Face* const
 /// Whether an occluder may stand between two faces: false only where it certainly does not.
 bool may_hide(const Face& occluder, const Face& a, const Face& b);
 
+/// How near occluders come to a face, by their corners and the circle about it: shadows on the nearer of two faces have
+/// the sharper edges, so integrals are better taken over the other one. m
+double clearance(const Face& face, std::span<const Contour> occluders);
+
 }  // namespace aktina

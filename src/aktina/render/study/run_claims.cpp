@@ -89,6 +89,8 @@ Judgement early_answer(const Evidence& e) {
 constexpr Claim kClaims[] = {
     {"formfactor", "contour", "is exact: each factor within the tolerance", "schroder1993",
      [](const Evidence& e) { return keeps(e, "tolerance", &StudyRun::largest_error); }},
+    {"formfactor", "cubature", "meets its tolerance", "walton2002",
+     [](const Evidence& e) { return keeps(e, "tolerance", &StudyRun::largest_error); }},
     {"formfactor", "hybrid", "meets its target error", "walton2002",
      [](const Evidence& e) { return keeps(e, "target_error", &StudyRun::largest_error); }},
     {"formfactor", "monte_carlo", "has an error that falls with the root of its rays", "malley1988",
@@ -112,6 +114,8 @@ constexpr Claim kClaims[] = {
      [](const Evidence& e) { return fewer_steps(e, "jacobi", 1); }},
     {"radiosity", "hierarchical", "is nearer than the matrix in the same time", "hanrahan1991",
      [](const Evidence& e) { return nearer_at_equal_time(e, "matrix"); }},
+    {"radiosity", "clustering", "is nearer than links between every two surfaces in the same time", "smits1994",
+     [](const Evidence& e) { return nearer_at_equal_time(e, "hierarchical"); }},
     {"radiosity", "wavelet_m2", "is nearer than Haar wavelets in the same time", "gortler1993",
      [](const Evidence& e) { return nearer_at_equal_time(e, "wavelet_haar"); }},
     {"radiosity", "wavelet_m3", "is nearer than Haar wavelets in the same time", "gortler1993",
