@@ -61,7 +61,7 @@ LayeredImage render_solution(const Scene& scene, const Solution& solution, const
 /// J. Wallace, M. Cohen, D. Greenberg, "A Two-pass Solution to the Rendering Equation", SIGGRAPH 1987.
 struct TwoPassOptions {
   std::string method = "two_pass";  // and its parameters: "two_pass:gather=1"
-  int samples = 16;  // per pixel
+  int samples = 16;                 // per pixel
   uint32_t seed = 0;
   std::function<void(const LayeredImage& picture, int samples)> each_pass{};
 };
