@@ -48,6 +48,16 @@ noperspective in vec3 lit; out vec4 c;
 void main() { c = vec4(lit, 1.0); }
 )";
 
+constexpr char kVertexItem[] = R"(
+layout(location = 0) in vec3 position;
+uniform mat4 clip;
+void main() { gl_Position = clip * vec4(position, 1.0); }
+)";
+constexpr char kPixelItem[] = R"(
+out uint item;
+void main() { item = uint(gl_PrimitiveID) + 1u; }
+)";
+
 GLuint compiled(GLenum kind, const std::string& body) {
   const std::string text = "#version 330 core\n" + std::string(kLight) + body;
   const char* source = text.c_str();
@@ -86,16 +96,34 @@ void set_uniforms(GLuint program, const Scene& scene, int size) {
   }
 }
 
-}  // namespace
-
-struct Llvmpipe::Context {
+/// What llvmpipe draws on.
+struct Canvas {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
-  GLuint phong = 0, gouraud = 0;
   GLsizei indices = 0;
   int size = 0;
+  std::string renderer;
 
-  bool open() {
+  ~Canvas() {
+    if (display == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    eglTerminate(display);
+  }
+
+  /// @return  why there is nothing to draw on; empty: there is
+  std::string open(int size_, int threads) {
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
+    size = size_;
+    if (!make_context()) return "no surfaceless EGL with OpenGL 3.3 (Debian: libegl-mesa0, libgl1-mesa-dri)";
+    renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (renderer.find("llvmpipe") == std::string::npos) return "OpenGL is not llvmpipe but " + renderer;
+    return "";
+  }
+
+  bool make_context() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return false;
     display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
@@ -105,12 +133,12 @@ struct Llvmpipe::Context {
     return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
   }
 
-  void make_picture() {
+  void make_picture(GLenum colours) {
     GLuint frame, buffer[2];
     glGenFramebuffers(1, &frame);
     glGenRenderbuffers(2, buffer);
     glBindFramebuffer(GL_FRAMEBUFFER, frame);
-    const GLenum formats[2] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+    const GLenum formats[2] = {colours, GL_DEPTH_COMPONENT24};
     const GLenum places[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
     for (int i = 0; i < 2; ++i) {
       glBindRenderbuffer(GL_RENDERBUFFER, buffer[i]);
@@ -142,22 +170,17 @@ struct Llvmpipe::Context {
   }
 };
 
+}  // namespace
+
+struct Llvmpipe::Context : Canvas {
+  GLuint phong = 0, gouraud = 0;
+};
+
 Llvmpipe::Llvmpipe(const Scene& scene, int size, int threads) : context_(std::make_unique<Context>()) {
-  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-  setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
   Context& c = *context_;
-  c.size = size;
-  if (!c.open()) {
-    missing_ = "no surfaceless EGL with OpenGL 3.3 (Debian: libegl-mesa0, libgl1-mesa-dri)";
-    return;
-  }
-  renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (renderer_.find("llvmpipe") == std::string::npos) {
-    missing_ = "OpenGL is not llvmpipe but " + renderer_;
-    return;
-  }
-  c.make_picture();
+  missing_ = c.open(size, threads), renderer_ = c.renderer;
+  if (!missing_.empty()) return;
+  c.make_picture(GL_RGBA8);
   c.load(scene.meshes[0]);
   c.phong = linked(kVertexPhong, kPixelPhong), c.gouraud = linked(kVertexGouraud, kPixelGouraud);
   if (c.phong == 0 || c.gouraud == 0) {
@@ -168,12 +191,7 @@ Llvmpipe::Llvmpipe(const Scene& scene, int size, int threads) : context_(std::ma
   set_uniforms(c.gouraud, scene, size);
 }
 
-Llvmpipe::~Llvmpipe() {
-  if (context_->display == EGL_NO_DISPLAY) return;
-  eglMakeCurrent(context_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  if (context_->context != EGL_NO_CONTEXT) eglDestroyContext(context_->display, context_->context);
-  eglTerminate(context_->display);
-}
+Llvmpipe::~Llvmpipe() = default;
 
 void Llvmpipe::draw(bool per_pixel) {
   glUseProgram(per_pixel ? context_->phong : context_->gouraud);
@@ -191,6 +209,39 @@ std::vector<float> Llvmpipe::read() const {
     for (size_t x = 0; x < n; ++x)
       for (size_t k = 0; k < 3; ++k) out[(y * n + x) * 3 + k] = float(bytes[((n - 1 - y) * n + x) * 4 + k]) / 255;
   return out;
+}
+
+struct LlvmpipeItems::Context : Canvas {
+  GLuint program = 0;
+  GLint clip = 0;
+};
+
+LlvmpipeItems::LlvmpipeItems(const Mesh& mesh, int size, int threads) : context_(std::make_unique<Context>()) {
+  Context& c = *context_;
+  missing_ = c.open(size, threads);
+  if (!missing_.empty()) return;
+  c.make_picture(GL_R32UI);
+  c.load(mesh);
+  c.program = linked(kVertexItem, kPixelItem);
+  if (c.program == 0) missing_ = "shaders do not compile on " + c.renderer;
+  c.clip = glGetUniformLocation(c.program, "clip");
+  glUseProgram(c.program);
+  glEnable(GL_SCISSOR_TEST);
+}
+
+LlvmpipeItems::~LlvmpipeItems() = default;
+
+void LlvmpipeItems::draw(const Camera& camera, int rows, std::vector<uint32_t>& items) {
+  const int size = context_->size;
+  const Mat4 clip = clip_from_world(camera, size, size);
+  glUniformMatrix4fv(context_->clip, 1, GL_FALSE, &clip[0][0]);
+  glScissor(0, size - rows, size, rows);
+  constexpr GLuint kNothing[4] = {};
+  glClearBufferuiv(GL_COLOR, 0, kNothing);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glDrawElements(GL_TRIANGLES, context_->indices, GL_UNSIGNED_INT, nullptr);
+  items.resize(size_t(size) * size_t(rows));
+  glReadPixels(0, size - rows, size, rows, GL_RED_INTEGER, GL_UNSIGNED_INT, items.data());
 }
 
 }  // namespace aktina::bench

@@ -1,5 +1,5 @@
-// Mesa's software rasterizer, llvmpipe, drawing a mesh lit by three point lights through EGL and OpenGL: the peer of
-// the raster benchmark.
+// Mesa's software rasterizer, llvmpipe, through EGL and OpenGL: the peer of the raster benchmark, where it draws a mesh
+// lit by three point lights, and of the hemicube, where it draws which triangle is seen.
 #pragma once
 
 #include <memory>
@@ -30,6 +30,23 @@ class Llvmpipe {
   struct Context;
   std::unique_ptr<Context> context_;
   std::string missing_, renderer_;
+};
+
+/// Item buffers: which triangle each pixel sees.
+class LlvmpipeItems {
+ public:
+  /// Pictures of size x size.
+  LlvmpipeItems(const Mesh& mesh, int size, int threads);
+  ~LlvmpipeItems();
+  const std::string& missing() const { return missing_; }
+
+  /// The upper `rows` rows of the picture, from the bottom one of them up: 1 + triangle, 0: nothing. Draws and reads.
+  void draw(const Camera& camera, int rows, std::vector<uint32_t>& items);
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+  std::string missing_;
 };
 
 }  // namespace aktina::bench
