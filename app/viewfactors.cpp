@@ -43,6 +43,7 @@ ViewFactorJob job_of(const Arguments& arguments, const ViewFactorScene& scene) {
   ViewFactorJob job;
   job.options.target_error = arguments.number("target-error");
   job.options.most_bytes = uint64_t(arguments.number("max-memory") * 1e9);
+  job.options.scratch = arguments.text("scratch");
   job.repair = arguments.given("repair");
   job.gray_body = arguments.given("gray-body");
   job.surroundings = arguments.number("surroundings");
@@ -58,10 +59,14 @@ int run(const Arguments& arguments, Session& session) {
   Stopwatch watch;
   const ViewFactorScene scene =
       load_view_factor_scene(arguments.text("model"), surfaces_by(arguments.text("by")),
-                             arguments.given("two-sided") ? Backs::see : Backs::hide, arguments.number("units"));
+                             arguments.given("two-sided") ? Backs::see : Backs::hide,
+                             arguments.given("clear") ? Clear::pass : Clear::hide, arguments.number("units"));
   const double load_seconds = watch.lap();
   session.show_warnings(scene.warnings);
-  const ViewFactorJob job = job_of(arguments, scene);
+  ViewFactorJob job = job_of(arguments, scene);
+  job.options.foreseen = [&](double bytes) {
+    session.note(fmt::format("the matrix will take about {:.2g} GB of {}", bytes / 1e9, arguments.text("scratch")));
+  };
   session.begin_work();
   ViewFactorResult result = view_factors(scene, job, session.progress());
   result.report.settings = session.settings();
@@ -105,6 +110,7 @@ constexpr Option kOptions[] = {
      .fallback = "face",
      .choices = kBy},
     {.name = "two-sided", .help = "backs of two-sided materials take part, too"},
+    {.name = "clear", .help = "light goes straight on through glass and what alpha leaves open; else they hide all"},
     {.name = "repair", .help = "make the rows of a closed enclosure sum to 1, keeping reciprocity"},
     {.name = "gray-body", .help = "exchange of heat between grey surfaces: Gebhart factors, script-F and balance"},
     {.name = "emissivity",
@@ -126,12 +132,19 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 1e6},
     {.name = "max-memory",
-     .help = "GB that the matrix may take; more is refused before it starts; 0: three quarters of the machine's",
+     .help = "GB that the matrix may take; more is refused before it starts, or goes into --scratch; 0: three quarters "
+             "of the machine's",
      .kind = Kind::number,
      .value = "GB",
      .fallback = "0",
      .min = 0,
      .max = 1e6,
+     .affects_result = false},
+    {.name = "scratch",
+     .help = "a folder for files that hold a matrix too large for memory while it is computed; without it such a "
+             "matrix is refused",
+     .kind = Kind::file,
+     .value = "FOLDER",
      .affects_result = false},
     kUnits,
 };

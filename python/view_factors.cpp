@@ -29,10 +29,12 @@ struct ViewFactorArrays {
   }
 };
 
-ViewFactorArrays compute(const ViewFactorScene& surfaces, double target_error, bool repair, const py::object& report) {
+ViewFactorArrays compute(const ViewFactorScene& surfaces, double target_error, bool repair, double max_memory,
+                         const std::string& scratch, const py::object& report) {
   return run(report, [&](Progress& progress) {
     ViewFactorJob job;
     job.options.target_error = target_error, job.repair = repair;
+    job.options.most_bytes = uint64_t(max_memory * 1e9), job.options.scratch = scratch;
     ViewFactorResult result = view_factors(surfaces, job, progress);
     std::string certificate = certificate_json(result);
     return ViewFactorArrays{std::make_shared<const ViewFactors>(std::move(result.factors)), std::move(certificate)};
@@ -97,12 +99,14 @@ void bind_view_factors(py::module_& m) {
       .def_property_readonly("data", [](const A& a) { return a.of(a.factors->factors); })
       .def("gray_exchange", &exchange)
       .def("gray_balance", &balance)
+      .def_property_readonly("transmittances", [](const A& a) { return a.of(a.factors->transmittances); })
       .def_property_readonly("errors", [](const A& a) { return a.of(a.factors->errors); });
-  m.def("surfaces_of_scene", [](const Scene& scene, const std::string& by, bool backs) {
-    return surfaces_of(scene, surfaces_by(by), backs ? Backs::see : Backs::hide);
+  m.def("surfaces_of_scene", [](const Scene& scene, const std::string& by, bool backs, bool clear) {
+    return surfaces_of(scene, surfaces_by(by), backs ? Backs::see : Backs::hide, clear ? Clear::pass : Clear::hide);
   });
-  m.def("surfaces_of_file", [](const std::string& path, const std::string& by, bool backs) {
-    return load_view_factor_scene(path, surfaces_by(by), backs ? Backs::see : Backs::hide);
+  m.def("surfaces_of_file", [](const std::string& path, const std::string& by, bool backs, bool clear) {
+    return load_view_factor_scene(path, surfaces_by(by), backs ? Backs::see : Backs::hide,
+                                  clear ? Clear::pass : Clear::hide);
   });
   m.def("view_factors", &compute);
 }

@@ -16,6 +16,7 @@ class ViewFactors:
     areas : (N,) float64, m^2.   names : list of N texts, the model's own.
     data, indices, indptr : float64, int32, int64: scipy.sparse.csr_array((f.data, f.indices, f.indptr), shape=f.shape).
     errors : float32 in the order of `data`: an estimate of each factor's absolute error.
+    transmittances : (N,) float64, or None where all is opaque: F (1 - transmittances) sums to 1 in an enclosure.
     certificate : dict: closure, reciprocity, bounds, errors, the worst rows (docs/view-factors.md).
     """
 
@@ -24,6 +25,8 @@ class ViewFactors:
         self.names = arrays.names
         self.certificate = json.loads(arrays.certificate)
         self.areas, self.data, self.errors = (np.asarray(a) for a in (arrays.areas, arrays.data, arrays.errors))
+        transmittances = np.asarray(arrays.transmittances)
+        self.transmittances = transmittances if transmittances.size else None
         self.indices = np.asarray(arrays.indices).view(np.int32)
         self.indptr = np.asarray(arrays.indptr).view(np.int64)
 
@@ -82,7 +85,8 @@ class ViewFactors:
         return f"<aktina.ViewFactors: {len(self.areas)} surfaces, {len(self.data)} factors above 0>"
 
 
-def view_factors(scene, by="face", target_error=1e-4, repair=False, two_sided=False, progress=None):
+def view_factors(scene, by="face", target_error=1e-4, repair=False, two_sided=False, clear=False, max_memory=0.0,
+                 scratch=None, progress=None):
     """View factors between the fronts of all surfaces of a model, which hide each other, with a certificate.
 
     scene : an aktina.Scene, or the path of a file that `aktina.load` reads, or of a View3D input file (.vs3).
@@ -90,6 +94,10 @@ def view_factors(scene, by="face", target_error=1e-4, repair=False, two_sided=Fa
     target_error : wanted absolute error of each factor, 1e-8 .. 0.1.
     repair : make the rows of a closed enclosure sum to 1, keeping reciprocity. Otherwise nothing is normalised.
     two_sided : backs of two-sided materials take part, too: by face as surfaces "NAME/back" of their own.
+    clear : light goes straight on through materials with alpha or transmission (by luminance, without textures), and
+        arrives both at them and behind them; else they hide all.
+    max_memory : GB that the matrix may take; 0: three quarters of the machine's.  scratch : folder for files that hold
+        a matrix larger than that while it is in use; None: it is refused.
     progress : called as progress(stage, unit, done, total, seconds) now and then.
     Returns ViewFactors.
     Raises BadInput (no surface with an area; repair of an open scene), BadParam, UsageError, LimitExceeded (memory,
@@ -105,8 +113,9 @@ def view_factors(scene, by="face", target_error=1e-4, repair=False, two_sided=Fa
     False
     """
     if isinstance(scene, Scene):
-        surfaces = _core.surfaces_of_scene(scene._scene, by, bool(two_sided))
+        surfaces = _core.surfaces_of_scene(scene._scene, by, bool(two_sided), bool(clear))
     else:
-        surfaces = _core.surfaces_of_file(os.fspath(scene), by, bool(two_sided))
+        surfaces = _core.surfaces_of_file(os.fspath(scene), by, bool(two_sided), bool(clear))
     return ViewFactors(_core.view_factors(surfaces, number("target_error", target_error, 1e-8, 0.1), bool(repair),
-                                          progress))
+                                          number("max_memory", max_memory, 0, 1e6),
+                                          os.fspath(scratch) if scratch else "", progress))

@@ -1,4 +1,6 @@
 """View-factor matrices from Python."""
+import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -29,6 +31,27 @@ class ViewFactors(unittest.TestCase):
                 dense[i, f.indices[k]] = f.data[k]
         np.testing.assert_array_equal(dense, f.F)
         self.assertEqual((f.indices.dtype, f.indptr.dtype), (np.int32, np.int64))
+
+    def test_clear_surfaces(self):
+        quad = lambda z, up, material: {
+            "vertices": [[0, 0, z], [1, 0, z], [1, 1, z], [0, 1, z]], "material": material,
+            "triangles": [[0, 1, 2], [0, 2, 3]] if up else [[0, 2, 1], [0, 3, 2]]}
+        pane = {"vertices": [[-9, -9, .5], [9, -9, .5], [9, 9, .5], [-9, 9, .5]], "triangles": [[0, 1, 2], [0, 2, 3]],
+                "material": {"transmission": 0.25, "base_colour": 1.0, "roughness": 0.0}}
+        scene = aktina.Scene([quad(0, True, {"kd": 0.5}), quad(1, False, {"kd": 0.5}), pane])
+        self.assertEqual(aktina.view_factors(scene).F[0, 1], 0)
+        f = aktina.view_factors(scene, clear=True)
+        self.assertAlmostEqual(f.F[0, 1], f.transmittances[2] * 0.199824895698, delta=1e-6)
+        self.assertGreater(f.transmittances[2], 0.1)
+
+    def test_a_matrix_larger_than_memory_needs_a_scratch_folder(self):
+        scene = aktina.Scene([ROOM])
+        with self.assertRaises(aktina.LimitExceeded):
+            aktina.view_factors(scene, max_memory=1e-8)
+        with tempfile.TemporaryDirectory() as folder:
+            f = aktina.view_factors(scene, max_memory=1e-8, scratch=folder)
+            self.assertEqual(os.listdir(folder), [])
+        np.testing.assert_array_equal(f.F, aktina.view_factors(scene).F)
 
     def test_by_object(self):
         f = aktina.view_factors(aktina.Scene([ROOM]), by="object")

@@ -122,6 +122,8 @@ void write(const Path& path, const ViewFactorFile& data) {
   const Handle file(H5Fcreate(display(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
   data.factors.size() <= kMostDense ? add_dense(file, data.factors) : add_sparse(file, data.factors);
   add(file, "areas", data.factors.areas, {data.factors.size()});
+  const std::vector<double>& passing = data.factors.transmittances;
+  if (!passing.empty()) add(file, "transmittances", passing, {passing.size()});
   add_names(file, data.factors.names);
   const std::vector<uint8_t>& complete = data.factors.complete;
   if (!complete.empty())

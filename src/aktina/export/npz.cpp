@@ -235,6 +235,7 @@ void write_npz(const Path& path, const ViewFactorFile& file) {
     NpzWriter npz(temporary);
     f.size() <= kMostDense ? add_dense(npz, f) : add_sparse(npz, f);
     npz.numbers("areas", "<f8", f.areas, shape_of(f.size()));
+    if (!f.transmittances.empty()) npz.numbers("transmittances", "<f8", f.transmittances, shape_of(f.size()));
     npz.texts("names", f.names, shape_of(f.size()));
     if (!f.complete.empty()) npz.numbers("complete", "|u1", f.complete, shape_of(f.size()));
     add_gray(npz, file);

@@ -87,7 +87,8 @@ class Vs3Surfaces {
 
 }  // namespace
 
-ViewFactorScene load_view_factor_scene(const Path& path, SurfacesBy by, Backs backs, double metres_per_unit) {
+ViewFactorScene load_view_factor_scene(const Path& path, SurfacesBy by, Backs backs, Clear clear,
+                                       double metres_per_unit) {
   if (lower_extension(path) == "vs3") {
     const std::string where = display(path);
     Vs3 file = read_vs3(decode_text(read_file(path)), where);
@@ -100,7 +101,7 @@ ViewFactorScene load_view_factor_scene(const Path& path, SurfacesBy by, Backs ba
   }
   const Scene scene =
       load_scene(path, {.metres_per_unit = metres_per_unit, .default_camera = false, .default_light = false});
-  ViewFactorScene surfaces = surfaces_of(scene, by, backs);
+  ViewFactorScene surfaces = surfaces_of(scene, by, backs, clear);
   surfaces.source = display(path.filename());
   return surfaces;
 }

@@ -10,10 +10,10 @@ namespace aktina {
 
 /// Whatever load_scene() reads, or a View3D input file (.vs3), whose subsurfaces are cut out of their bases and whose
 /// combined surfaces are one.
-/// @param by, backs  have no effect on .vs3: its surfaces are what they are
+/// @param by, backs, clear  have no effect on .vs3: its surfaces are what they are
 /// @throws Error as load_scene(), read_vs3(), surfaces_of()
 ViewFactorScene load_view_factor_scene(const Path& path, SurfacesBy by, Backs backs = Backs::hide,
-                                       double metres_per_unit = 0);
+                                       Clear clear = Clear::hide, double metres_per_unit = 0);
 
 struct ViewFactorJob {
   ViewFactorOptions options;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "aktina/base/error.h"
 #include "aktina/base/hash.h"
 #include "aktina/base/parallel.h"
 #include "aktina/render/view_factor_job.h"
@@ -16,6 +17,7 @@ std::string hash_of(const ViewFactorScene& scene) {
   for (const auto* list : {&scene.pieces, &scene.occluders})
     for (const Polygon& polygon : *list) hash.add_values(std::span<const Point3d>(polygon.vertices));
   hash.add_values(std::span<const uint32_t>(scene.owners));
+  hash.add_values(std::span<const double>(scene.transmittances));
   for (const std::string& name : scene.names) hash.add(name);
   return hash.text();
 }
@@ -63,6 +65,9 @@ void add_gray_body(const ViewFactorScene& scene, const ViewFactorJob& job, ViewF
 }  // namespace
 
 ViewFactorResult view_factors(const ViewFactorScene& scene, const ViewFactorJob& job, Progress& progress) {
+  if ((job.repair || job.gray_body) && !scene.transmittances.empty())
+    throw Error(Code::unsupported, job.repair ? "repair" : "gray body", "surfaces that let light through",
+                "leave them opaque: glass is, for heat");
   ViewFactorResult result;
   result.report = begin_report(scene);
   Stopwatch watch;

@@ -12,6 +12,7 @@
 #include "aktina/radiosity/viewfactor/certificate.h"
 #include "aktina/radiosity/viewfactor/gray_body.h"
 #include "radiosity/viewfactor/surfaces.h"
+#include "test_files.h"
 
 namespace aktina {
 namespace {
@@ -170,6 +171,26 @@ TEST(ViewFactors, AMatrixThatWouldNotFitIsRefusedWithTheSizeThatWould) {
   }
   EXPECT_THROW(view_factors({}, {}), Error);
   EXPECT_THROW(view_factors(room_with_box(), {.target_error = 0}), Error);
+}
+
+TEST(ViewFactors, WhatDoesNotFitGoesIntoFilesOfAFolderAndLeavesNothingThere) {
+  const test::TemporaryFolder folder;
+  const ViewFactors memory = view_factors(room_with_box(), {});
+  double foreseen = 0;
+  const ViewFactors files = view_factors(
+      room_with_box(), {.most_bytes = 1000, .scratch = folder.path(), .foreseen = [&](double b) { foreseen = b; }});
+  EXPECT_EQ(memory.starts, files.starts);
+  EXPECT_EQ(memory.columns, files.columns);
+  EXPECT_EQ(memory.factors, files.factors);
+  EXPECT_EQ(memory.errors, files.errors);
+  EXPECT_NEAR(foreseen, double(memory.factors.size()) * 24, 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  try {
+    view_factors(room_with_box(), {.most_bytes = 1000, .scratch = folder.path() / "nowhere"});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Code::io);
+  }
 }
 
 TEST(Repair, ClosesRowsAndKeepsReciprocityAndZeros) {

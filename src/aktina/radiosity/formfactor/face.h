@@ -25,6 +25,7 @@ struct Face {
   Point3d centre;               // of the bounding sphere
   double radius;                // of the bounding sphere, m
   std::vector<Contour> convex;  // pieces that make up the polygon: itself where it is convex, else triangles
+  bool hides = true;            // what lies behind it
 };
 
 /// @param where  what the polygon is, for messages

@@ -18,6 +18,7 @@ void FaceRays::build(const Faces& faces) {
   for (const auto* list : {&faces.surfaces(), &faces.occluders()})
     for (const Face& face : *list) {
       for (const Contour& piece : face.convex) {
+        if (!face.hides) break;
         const auto first = uint32_t(mesh.positions.size());
         for (const Point3d& v : piece) mesh.positions.push_back(Vec3((v - centre_) / unit_));
         for (uint32_t k = 1; k + 1 < piece.size(); ++k) {

@@ -65,6 +65,11 @@ Faces::Faces(const FormFactorScene& scene) {
   for (const Face& face : occluders_) blocking_.push_back(&face);
 }
 
+void Faces::let_through(std::span<const uint8_t> flags) {
+  for (size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].hides = !flags[i];
+  std::erase_if(blocking_, [](const Face* face) { return !face->hides; });
+}
+
 std::vector<const Face*> Faces::blockers(size_t i, size_t j) const {
   std::vector<const Face*> others;
   others.reserve(blocking_.size());

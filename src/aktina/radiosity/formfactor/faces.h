@@ -1,6 +1,7 @@
 // A scene's polygons, looked at once: what all form-factor methods start from.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "aktina/radiosity/formfactor/face.h"
@@ -17,6 +18,8 @@ class Faces {
   const Face& operator[](size_t i) const { return surfaces_[i]; }
   const std::vector<Face>& surfaces() const { return surfaces_; }
   const std::vector<Face>& occluders() const { return occluders_; }
+  /// Surfaces of which the flag is set hide nothing.
+  void let_through(std::span<const uint8_t> flags);
 
   /// Surfaces and occluders that may hide one surface from another one: those which have surfaces on both sides of
   /// their plane. The walls of a convex room never do.

@@ -20,7 +20,7 @@ class BlockerFinder {
     double size = 0;
     for (const auto* list : {&faces.surfaces(), &faces.occluders()})
       for (const Face& face : *list) {
-        all_.push_back(&face);
+        if (face.hides) all_.push_back(&face);
         size = std::max(size, length(face.centre - faces[0].centre) + face.radius);
       }
     tolerance_ = 1e-9 * size + 4e-15 * length(faces[0].centre);

@@ -79,52 +79,47 @@ ExchangeFinder::Forecast ExchangeFinder::forecast() const {
 namespace {
 
 template <class T>
-void find_all(const PairSetting& setting, const LeafTree& tree, std::span<const uint32_t> asked, Exchanges& result,
-              Progress* progress) {
+void find_all(const PairSetting& setting, const LeafTree& tree, Exchanges& result, Progress* progress) {
   const std::vector<Leaf>& leaves = setting.leaves.leaves;
-  const bool all = asked.size() == leaves.size();
-  std::vector<bool> is_asked(leaves.size(), false);
-  for (const uint32_t a : asked) is_asked[a] = true;
-  std::vector<HeldPairs> held(asked.size());
-  std::vector<uint8_t> done(asked.size(), 0);
-  std::atomic<size_t> next{0};  // in their order, so that the first ones are complete where it is stopped
-  parallel_for(asked.size(), 1, [&](size_t begin, size_t end) {
+  std::vector<HeldPairs> held(leaves.size());
+  std::vector<uint8_t> done(leaves.size(), 0);
+  std::atomic<uint32_t> next{0};  // in their order, so that the first ones are complete where it is stopped
+  parallel_for(leaves.size(), 1, [&](size_t begin, size_t end) {
     PairExchange<T> pair(setting);
     PairExchange<double> precise(setting);
+    ExchangeStore::Writer store(*result.store);
     LeafView view;
     for (size_t taken = begin; taken < end; ++taken) {
       if (progress && progress->cancelled()) return;
-      const size_t k = next.fetch_add(1, std::memory_order_relaxed);
-      const uint32_t a = asked[k];
-      tree.visit(leaves[a], all ? a + 1 : 0, setting.blockers, setting.tolerance, [&](uint32_t b) {
-        if (b == a || (b < a && is_asked[b])) return;
-        const auto [low, high] = std::minmax(a, b);
-        look_between(leaves[low], leaves[high], setting.blockers, setting.tolerance, view);
+      const uint32_t a = next.fetch_add(1, std::memory_order_relaxed);
+      tree.visit(leaves[a], a + 1, setting.blockers, setting.tolerance, [&](uint32_t b) {
+        look_between(leaves[a], leaves[b], setting.blockers, setting.tolerance, view);
         if (!view.facing || view.blocked) return;
         if (view.entered)
-          precise.run(low, high, view, result.lists[k], held[k]);
+          precise.run(a, b, view, store, result.lists[a], held[a]);
         else
-          pair.run(low, high, view, result.lists[k], held[k]);
+          pair.run(a, b, view, store, result.lists[a], held[a]);
       });
-      done[k] = 1;
+      done[a] = 1;
       if (progress) progress->advance();
     }
   });
   while (result.complete < done.size() && done[result.complete]) ++result.complete;
-  for (size_t k = result.complete; k < asked.size(); ++k) result.lists[k].clear();
-  for (size_t k = 0; k < result.complete; ++k) {
-    result.largest_excess = std::max(result.largest_excess, held[k].largest_excess);
-    result.held += held[k].count;
+  for (size_t a = result.complete; a < leaves.size(); ++a) result.lists[a].clear();
+  for (size_t a = 0; a < result.complete; ++a) {
+    result.largest_excess = std::max(result.largest_excess, held[a].largest_excess);
+    result.held += held[a].count;
   }
 }
 
 }  // namespace
 
-Exchanges ExchangeFinder::find(std::span<const uint32_t> leaves, Progress* progress) const {
+Exchanges ExchangeFinder::find(const std::filesystem::path& folder, Progress* progress) const {
   Exchanges result;
-  result.lists.resize(leaves.size());
-  parts_->single ? find_all<float>(parts_->setting, parts_->tree, leaves, result, progress)
-                 : find_all<double>(parts_->setting, parts_->tree, leaves, result, progress);
+  result.store = std::make_unique<ExchangeStore>(folder);
+  result.lists.resize(parts_->leaves.leaves.size());
+  parts_->single ? find_all<float>(parts_->setting, parts_->tree, result, progress)
+                 : find_all<double>(parts_->setting, parts_->tree, result, progress);
   return result;
 }
 

@@ -6,27 +6,20 @@
 #include <vector>
 
 #include "aktina/base/progress.h"
+#include "aktina/radiosity/viewfactor/exchange_store.h"
 #include "aktina/radiosity/viewfactor/leaves.h"
 
 namespace aktina {
 
-/// Between two fragments.
-struct Exchange {
-  uint8_t of_a, of_b;  // places in their leaves
-  float error;         // estimate, m^2
-  double area;         // A_i F_ij, m^2; above 0
-};
-
 /// Between the fragments of two leaves, the first of lower number.
 struct LeafExchange {
   uint32_t a, b;  // leaves
-  uint32_t count;
-  std::unique_ptr<Exchange[]> pairs;
-  std::span<const Exchange> all() const { return {pairs.get(), count}; }
+  std::span<const Exchange> pairs;
 };
 
 struct Exchanges {
-  std::vector<std::vector<LeafExchange>> lists;  // of each leaf asked for
+  std::unique_ptr<ExchangeStore> store;          // holds the pairs
+  std::vector<std::vector<LeafExchange>> lists;  // of each leaf
   size_t complete = 0;                           // of them, the first ones that are: less than all where it was stopped
   double largest_excess = 0;                     // of a factor above its unobstructed value, before it was held to that
   uint64_t held = 0;                             // pairs
@@ -46,9 +39,9 @@ class ExchangeFinder {
   };
   Forecast forecast() const;
 
-  /// Between the leaves asked for (ascending) and all leaves; what lies between two that are asked for comes once.
-  /// Stopped: what is known of the first leaves.
-  Exchanges find(std::span<const uint32_t> leaves, Progress* progress) const;
+  /// Between every two leaves, once. Stopped: what is known of the first leaves.
+  /// @param folder  where exchanges are kept, see LargeBlock
+  Exchanges find(const std::filesystem::path& folder, Progress* progress) const;
 
  private:
   struct Parts;

@@ -23,8 +23,8 @@ double power(double x, int n) {
 }  // namespace
 
 template <class T>
-void PairExchange<T>::run(uint32_t a, uint32_t b, const LeafView& view, std::vector<LeafExchange>& result,
-                          HeldPairs& held) {
+void PairExchange<T>::run(uint32_t a, uint32_t b, const LeafView& view, ExchangeStore::Writer& store,
+                          std::vector<LeafExchange>& result, HeldPairs& held) {
   held_ = &held, crowded_ = view.crowded, blocker_count_ = 0, found_count_ = 0;
   choose_sides(setting_.leaves.leaves[a], setting_.leaves.leaves[b], view);
   prepare_sources();
@@ -32,9 +32,7 @@ void PairExchange<T>::run(uint32_t a, uint32_t b, const LeafView& view, std::vec
   if (!crowded_) prepare_blockers(view);
   for (uint32_t r = 0; r < receiver_->count; ++r) receive(r);
   if (found_count_ == 0) return;
-  LeafExchange exchange{a, b, found_count_, std::make_unique_for_overwrite<Exchange[]>(found_count_)};
-  std::copy_n(found_.begin(), found_count_, exchange.pairs.get());
-  result.push_back(std::move(exchange));
+  result.push_back({a, b, store.keep({found_.data(), found_count_})});
 }
 
 template <class T>

@@ -27,7 +27,8 @@ class PairExchange {
 
   /// @param a, b  leaves, the first of lower number;  @param view  of the two, which face each other
   /// @param result  gains what they exchange, where that is anything
-  void run(uint32_t a, uint32_t b, const LeafView& view, std::vector<LeafExchange>& result, HeldPairs& held);
+  void run(uint32_t a, uint32_t b, const LeafView& view, ExchangeStore::Writer& store,
+           std::vector<LeafExchange>& result, HeldPairs& held);
 
  private:
   const Fragment& fragment(const Leaf& leaf, uint32_t k) const { return setting_.leaves.fragments[leaf.first + k]; }

@@ -93,16 +93,11 @@ class RowBatch {
 
 class RowMaker {
  public:
-  RowMaker(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
-           const Exchanges& exchanges)
-      : ownership_(ownership), surfaces_(surfaces) {
-    for (const uint32_t leaf : leaves) {
-      if (of_leaf_.size() <= leaf) of_leaf_.resize(leaf + 1);
-    }
+  RowMaker(const Ownership& ownership, const Exchanges& exchanges)
+      : ownership_(ownership), surfaces_(ownership.order()), of_leaf_(exchanges.lists.size()) {
     for (const auto& list : exchanges.lists)
       for (const LeafExchange& e : list)
-        for (const uint32_t leaf : {e.a, e.b})
-          if (std::binary_search(leaves.begin(), leaves.end(), leaf)) of_leaf_[leaf].push_back(&e);
+        for (const uint32_t leaf : {e.a, e.b}) of_leaf_[leaf].push_back(&e);
   }
 
   /// @param visit  (batch, row in the batch, surface), for all rows
@@ -117,8 +112,7 @@ class RowMaker {
         for (size_t k = 0; k < own.size(); ++k) place[own[k]] = uint8_t(k);
         batch.clear();
         for (const uint32_t leaf : ownership_.leaves_of(own))
-          if (leaf < of_leaf_.size())
-            for (const LeafExchange* e : of_leaf_[leaf]) add(*e, leaf, place, batch, note);
+          for (const LeafExchange* e : of_leaf_[leaf]) add(*e, leaf, place, batch, note);
         for (size_t k = 0; k < own.size(); ++k) visit(batch, k, own[k]), place[own[k]] = kOther;
       }
     });
@@ -136,7 +130,7 @@ class RowMaker {
       rows[lane] = lane < ownership_.count(leaf) ? place[ownership_.owner(leaf, lane)] : kOther;
       columns[lane] = lane < ownership_.count(other) ? ownership_.owner(other, lane) : 0;
     }
-    for (const Exchange& pair : e.all()) {
+    for (const Exchange& pair : e.pairs) {
       const uint8_t row = rows[is_a ? pair.of_a : pair.of_b];
       if (row != kOther) note(batch, row, columns[is_a ? pair.of_b : pair.of_a], pair);
     }
@@ -149,23 +143,23 @@ class RowMaker {
 
 }  // namespace
 
-void count_rows(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
-                const Exchanges& exchanges, std::vector<uint64_t>& counts) {
-  if (ownership.is_one_each() && surfaces.size() == ownership.surfaces()) {
+std::vector<uint64_t> count_rows(const Ownership& ownership, const Exchanges& exchanges) {
+  std::vector<uint64_t> counts(ownership.surfaces(), 0);
+  if (ownership.is_one_each()) {
     for (const auto& list : exchanges.lists)
       for (const LeafExchange& e : list)
-        for (const Exchange& pair : e.all())
+        for (const Exchange& pair : e.pairs)
           ++counts[ownership.owner(e.a, pair.of_a)], ++counts[ownership.owner(e.b, pair.of_b)];
-    return;
+    return counts;
   }
-  RowMaker(ownership, surfaces, leaves, exchanges)
+  RowMaker(ownership, exchanges)
       .run([](RowBatch& batch, size_t row, uint32_t j, const Exchange&) { batch.note(row, j); },
            [&](RowBatch& batch, size_t row, uint32_t i) { counts[i] = batch.count(row); });
+  return counts;
 }
 
-void fill_rows(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
-               const Exchanges& exchanges, ViewFactors& result) {
-  RowMaker(ownership, surfaces, leaves, exchanges)
+void fill_rows(const Ownership& ownership, const Exchanges& exchanges, ViewFactors& result) {
+  RowMaker(ownership, exchanges)
       .run([](RowBatch& batch, size_t row, uint32_t j,
               const Exchange& pair) { batch.add(row, j, pair.area, pair.error); },
            [&](RowBatch& batch, size_t row, uint32_t i) {

@@ -32,12 +32,9 @@ class Ownership {
   std::vector<std::vector<uint32_t>> of_surface_;  // leaves
 };
 
-/// How many factors above 0 the rows of the surfaces listed have, in their places of `counts`.
-/// @param leaves  that the exchanges were found for: all that the surfaces have
-void count_rows(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
-                const Exchanges& exchanges, std::vector<uint64_t>& counts);
-/// Those rows, where `starts` says that they begin.
-void fill_rows(const Ownership& ownership, std::span<const uint32_t> surfaces, std::span<const uint32_t> leaves,
-               const Exchanges& exchanges, ViewFactors& result);
+/// How many factors above 0 each row has.
+std::vector<uint64_t> count_rows(const Ownership& ownership, const Exchanges& exchanges);
+/// The rows, where `starts` says that they begin.
+void fill_rows(const Ownership& ownership, const Exchanges& exchanges, ViewFactors& result);
 
 }  // namespace aktina

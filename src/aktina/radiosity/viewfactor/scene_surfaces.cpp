@@ -27,7 +27,8 @@ std::string object_name(const Scene& scene, size_t index) {
 /// Adds the polygons of one instance after another.
 class Collector {
  public:
-  Collector(const Scene& scene, SurfacesBy by, Backs backs) : scene_(scene), by_(by), backs_(backs) {}
+  Collector(const Scene& scene, SurfacesBy by, Backs backs, Clear clear)
+      : scene_(scene), by_(by), backs_(backs), clear_(clear) {}
 
   ViewFactorScene run() {
     for (size_t i = 0; i < scene_.instances.size(); ++i)
@@ -35,6 +36,8 @@ class Collector {
     for (size_t i = 0; i < numbers_.size(); ++i)  // an object of one polygon gives it its name
       result_.names[i] += (faces_of_[numbers_[i].object] > 1 ? fmt::format(":{}", numbers_[i].number) : "") +
                           (numbers_[i].back ? "/back" : "");
+    if (std::all_of(result_.transmittances.begin(), result_.transmittances.end(), [](double t) { return t == 0; }))
+      result_.transmittances.clear();
     result_.warnings.add("polygons without area were left out", empty_);
     result_.warnings.add("polygons that are not planar or have holes were taken as several triangles", cut_);
     if (result_.pieces.empty()) throw Error(Code::bad_input, scene_.source, "has no surface with an area");
@@ -58,6 +61,7 @@ class Collector {
     const bool mirrored = glm::determinant(to_world) < 0;
     const int64_t object = instance.node >= 0 ? instance.node : -2 - int64_t(index);
     const std::string name = object_name(scene_, index);
+    transmittance_ = clear_ == Clear::pass ? transmittance(scene_.material_of(instance)) : 0;
     const bool both_sides = backs_ == Backs::see && scene_.material_of(instance).double_sided;
     std::vector<std::vector<Triangle>> faces = faces_of(mesh, mirrored);
     for (const std::vector<Triangle>& face : faces) {
@@ -75,6 +79,16 @@ class Collector {
   void add_pieces(uint32_t owner) {
     result_.pieces.insert(result_.pieces.end(), pieces_.begin(), pieces_.end());
     result_.owners.resize(result_.pieces.size(), owner);
+    result_.transmittances.resize(result_.pieces.size(), transmittance_);
+  }
+
+  double transmittance(const Material& material) const {
+    const Vec2 uv[2] = {Vec2(0), Vec2(0)};
+    Material plain = material;
+    plain.base_texture = plain.transmission_texture = {};
+    const MaterialPoint point = evaluate(scene_, plain, uv, Vec4(1));
+    const double passing = double(luminance(point.surface.kt * point.alpha + Rgb(1 - point.alpha)));
+    return std::clamp(passing, 0.0, 1.0);
   }
 
   /// The triangles of each polygon, in the file's order.
@@ -164,6 +178,8 @@ class Collector {
   const Scene& scene_;
   SurfacesBy by_;
   Backs backs_;
+  Clear clear_;
+  double transmittance_ = 0;  // of the instance at work
   ViewFactorScene result_;
   std::vector<Point3d> points_;
   std::vector<Polygon> pieces_;
@@ -175,9 +191,9 @@ class Collector {
 
 }  // namespace
 
-ViewFactorScene surfaces_of(const Scene& scene, SurfacesBy by, Backs backs) {
+ViewFactorScene surfaces_of(const Scene& scene, SurfacesBy by, Backs backs, Clear clear) {
   const TessellatedScene tessellated(scene);
-  return Collector(*tessellated, by, backs).run();
+  return Collector(*tessellated, by, backs, clear).run();
 }
 
 }  // namespace aktina

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ struct ViewFactorScene {
   std::vector<uint32_t> owners;    // of each piece: its surface
   std::vector<std::string> names;  // of each surface
   std::vector<Polygon> occluders;
-  std::vector<double> emissivities;  // of each surface, where the file has them
-  std::string source;                // file it came from, for reports
+  std::vector<double> emissivities;    // of each surface, where the file has them
+  std::vector<double> transmittances;  // of each piece: what goes straight on through it; empty: nothing anywhere
+  std::string source;                  // file it came from, for reports
   Warnings warnings;
 
   size_t surfaces() const { return names.size(); }
@@ -35,6 +38,9 @@ struct ViewFactors {
   LargeArray<uint32_t> columns;
   LargeArray<double> factors;
   LargeArray<float> errors;  // estimate of each factor's absolute error
+  /// Of each surface, the mean over its area; empty where nothing passes. What goes on through a surface has arrived at
+  /// it, too, and arrives again behind it: in a closed enclosure the sum of F_ij (1 - transmittance_j) is 1.
+  std::vector<double> transmittances;
 
   /// By surface: 1 where its row is complete; empty where all are. What is missing lies between two that are not.
   std::vector<uint8_t> complete;
@@ -44,7 +50,7 @@ struct ViewFactors {
   uint64_t held = 0;          // pairs
 
   size_t size() const { return areas.size(); }
-  double row_sum(size_t i) const;
+  double row_sum(size_t i) const;       // of what stays: F_ij (1 - transmittance_j)
   double at(size_t i, size_t j) const;  // 0 where nothing is stored
   bool known(size_t i, size_t j) const { return complete.empty() || complete[i] || complete[j]; }
 };
@@ -52,6 +58,10 @@ struct ViewFactors {
 struct ViewFactorOptions {
   double target_error = 1e-4;  // of each factor; 1e-8 .. 0.1
   uint64_t most_bytes = 0;     // of memory; 0: three quarters of the machine's
+  /// A folder for files that hold a matrix for which memory is too small, while it is there; empty: it is refused.
+  std::filesystem::path scratch{};
+  /// Called before the work with what it will take of that folder, where it needs it.
+  std::function<void(double bytes)> foreseen{};
 };
 
 /// @throws Error bad_input (no surface; a polygon as make_face() refuses it), limit (memory, foreseen),
