@@ -21,12 +21,13 @@ LightmapOptions lightmap_options(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments, Session& session) {
-  RadiosityOptions options = radiosity_options(arguments);
   const std::vector<Path> outputs = checked_outputs(arguments, session, kFormats);
   for (const Path& output : outputs)
     if (const Path beside = Baking::beside(output, arguments.text("as")); !beside.empty()) session.will_write(beside);
-  options.checkpoint = checkpoint_options(arguments, session);
+  const CheckpointOptions checkpoint = checkpoint_options(arguments, session);
   const LoadedScene loaded = load(arguments, session);
+  RadiosityOptions options = radiosity_options(arguments, loaded.scene);
+  options.checkpoint = checkpoint;
   session.begin_work();
   Radiosities result = solve(loaded.scene, options, session.progress());
   Report& report = result.report;

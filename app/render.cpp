@@ -58,7 +58,6 @@ RenderOptions read_options(const Arguments& arguments) {
   options.depth_cue = read_depth_cue(arguments.text("depth-cue"));
   options.samples = int(arguments.whole("samples"));
   options.seed = uint32_t(arguments.whole("seed"));
-  options.radiosity = radiosity_options(arguments);
   options.layers = split(arguments.text("layers"));
   read_size(arguments.text("size"), options.width, options.height);
   return options;
@@ -82,6 +81,7 @@ int run(const Arguments& arguments, Session& session) {
 
   const LoadedScene loaded = load(arguments, session);
   options.camera = find_camera(loaded.scene, arguments.text("camera"));
+  options.radiosity = radiosity_options(arguments, loaded.scene);
   session.begin_work();
   Rendering rendering = render(loaded.scene, options, session.progress());
 

@@ -22,7 +22,7 @@ LoadedScene load(const Arguments& arguments, const Session& session) {
   return loaded;
 }
 
-RadiosityOptions radiosity_options(const Arguments& arguments) {
+RadiosityOptions radiosity_options(const Arguments& arguments, const Scene& scene) {
   RadiosityOptions options;
   options.solver = arguments.text("solver");
   options.formfactor = arguments.text("formfactor");
@@ -34,6 +34,10 @@ RadiosityOptions radiosity_options(const Arguments& arguments) {
   options.tolerance = arguments.number("tolerance");
   options.most_steps = uint64_t(arguments.whole("max-steps"));
   options.seed = uint32_t(arguments.whole("seed"));
+  if (const std::string& camera = arguments.text("importance"); !camera.empty()) {
+    options.importance = scene.cameras[size_t(find_camera(scene, camera, "--importance"))];
+    options.importance->name = camera;
+  }
   return options;
 }
 
@@ -86,7 +90,7 @@ void read_size(const std::string& text, int& width, int& height) {
   if (!high.empty()) height = number(high);
 }
 
-int find_camera(const Scene& scene, const std::string& wanted) {
+int find_camera(const Scene& scene, const std::string& wanted, std::string_view option) {
   if (wanted.empty()) return 0;
   std::vector<std::string_view> names;
   for (const Camera& camera : scene.cameras) {
@@ -98,7 +102,7 @@ int find_camera(const Scene& scene, const std::string& wanted) {
   if (parsed.ec == std::errc() && parsed.ptr == wanted.data() + wanted.size() && index >= 0 &&
       size_t(index) < names.size())
     return index;
-  throw Error(Code::usage, "--camera", fmt::format("the scene has no camera '{}'", wanted),
+  throw Error(Code::usage, std::string(option), fmt::format("the scene has no camera '{}'", wanted),
               fmt::format("it has: {} (or by number, from 0)", fmt::join(names, ", ")));
 }
 

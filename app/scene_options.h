@@ -117,6 +117,11 @@ inline constexpr Option kRadiosityOptions[] = {
      .fallback = "2",
      .min = 0,
      .max = 64},
+    {.name = "importance",
+     .help = "name or number of a camera: what it does not show is computed no finer than its picture needs; of "
+             "--solver hierarchical, clustering and wavelets",
+     .kind = Kind::text,
+     .value = "CAMERA"},
     {.name = "max-steps",
      .help = "stop after so many shots or iterations; 0: no limit",
      .kind = Kind::whole,
@@ -129,7 +134,8 @@ inline constexpr Option kRadiosityOptions[] = {
     kNormals,
     kCrease,
 };
-RadiosityOptions radiosity_options(const Arguments& arguments);
+/// @throws Error usage (the scene has no such camera)
+RadiosityOptions radiosity_options(const Arguments& arguments, const Scene& scene);
 
 /// `radiosity` and `bake`, which may take hours, take these, too.
 inline constexpr Option kCheckpointOptions[] = {
@@ -176,7 +182,8 @@ LoadedScene load(const Arguments& arguments, const Session& session);
 void read_size(const std::string& text, int& width, int& height);
 
 /// By name, or by number from 0; empty: the first. @throws Error usage
-int find_camera(const Scene& scene, const std::string& wanted);
+/// @param option  that `wanted` was given by
+int find_camera(const Scene& scene, const std::string& wanted, std::string_view option = "--camera");
 
 /// The outputs, each checked for a known extension and a place that can be written. @throws Error usage, io
 std::vector<Path> checked_outputs(const Arguments& arguments, Session& session,

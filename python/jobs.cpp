@@ -1,6 +1,7 @@
 // Pictures of scenes, and the light on their surfaces.
 #include "aktina/radiosity/error_estimate.h"
 #include "aktina/render/job.h"
+#include "aktina/render/picture_view.h"
 #include "aktina/trace/illuminance.h"
 #include "arrays.h"
 #include "camera_dict.h"
@@ -9,22 +10,6 @@
 
 namespace aktina::python {
 namespace {
-
-RadiosityOptions radiosity_options(const py::dict& fields) {
-  RadiosityOptions o;
-  int most_steps = 0, most_patches = int(o.most_patches);
-  FromDict field(fields, "radiosity");
-  field("solver", o.solver), field("formfactor", o.formfactor), field("mesher", o.mesher), field("quality", o.quality);
-  field("patch_size", o.patch_size), field("tolerance", o.tolerance), field("target_error", o.target_error);
-  field("indirect_size", o.indirect_size);
-  field("most_steps", most_steps), field("most_patches", most_patches);
-  std::string checkpoint;
-  field("checkpoint", checkpoint), field("every", o.checkpoint.seconds), field("resume", o.checkpoint.resume);
-  o.checkpoint.file = checkpoint;
-  field.expect_all_read();
-  o.most_steps = uint64_t(std::max(most_steps, 0)), o.most_patches = uint64_t(std::max(most_patches, 0));
-  return o;
-}
 
 /// A view of the caller's own, or the number of one of the scene's cameras.
 struct View {
@@ -39,6 +24,27 @@ struct View {
       number = py::cast<int>(camera);
   }
 };
+
+RadiosityOptions radiosity_options(const py::dict& fields, const Scene& scene) {
+  RadiosityOptions o;
+  int most_steps = 0, most_patches = int(o.most_patches);
+  FromDict field(fields, "radiosity");
+  field("solver", o.solver), field("formfactor", o.formfactor), field("mesher", o.mesher), field("quality", o.quality);
+  field("patch_size", o.patch_size), field("tolerance", o.tolerance), field("target_error", o.target_error);
+  field("indirect_size", o.indirect_size);
+  field("most_steps", most_steps), field("most_patches", most_patches);
+  std::string checkpoint;
+  field("checkpoint", checkpoint), field("every", o.checkpoint.seconds), field("resume", o.checkpoint.resume);
+  o.checkpoint.file = checkpoint;
+  field.expect_known("importance");
+  if (fields.contains("importance") && !fields["importance"].is_none()) {
+    const View view(fields["importance"]);
+    o.importance = view.given ? view.own : chosen_camera(scene, view.number);
+  }
+  o.most_steps = uint64_t(std::max(most_steps, 0)), o.most_patches = uint64_t(std::max(most_patches, 0));
+  field.expect_all_read();
+  return o;
+}
 
 RenderOptions render_options(const py::dict& fields, const View& view) {
   RenderOptions o;
@@ -61,7 +67,7 @@ py::list render_scene(const Scene& scene, const py::dict& fields, const py::obje
                       uint32_t seed, const py::object& report) {
   const View view(camera);
   RenderOptions options = render_options(fields, view);
-  options.radiosity = radiosity_options(radiosity), options.seed = seed;
+  options.radiosity = radiosity_options(radiosity, scene), options.seed = seed;
   Rendering rendering = run(report, [&](Progress& progress) { return render(scene, options, progress); });
   py::list layers;
   for (LayeredImage::Layer& layer : rendering.picture.layers)
@@ -72,10 +78,33 @@ py::list render_scene(const Scene& scene, const py::dict& fields, const py::obje
 using Result = std::shared_ptr<Radiosities>;
 
 Result solve_scene(const Scene& scene, const py::dict& fields, uint32_t seed, const py::object& report) {
-  RadiosityOptions options = radiosity_options(fields);
+  RadiosityOptions options = radiosity_options(fields, scene);
   options.seed = seed;
   return run(report,
              [&](Progress& progress) { return std::make_shared<Radiosities>(solve(scene, options, progress)); });
+}
+
+/// {name: Radiosities}
+py::dict solve_lights_of(const Scene& scene, const py::dict& fields, uint32_t seed, const py::object& report) {
+  RadiosityOptions options = radiosity_options(fields, scene);
+  options.seed = seed;
+  std::vector<LightRadiosities> lights =
+      run(report, [&](Progress& progress) { return solve_lights(scene, options, progress); });
+  py::dict results;
+  for (LightRadiosities& each : lights)
+    results[py::str(each.light)] = std::make_shared<Radiosities>(std::move(each.result));
+  return results;
+}
+
+/// @param lights  [(name, Radiosities, factor)]
+Result mix_lights(const py::list& lights) {
+  std::vector<DimmedLight> all;
+  for (const py::handle& each : lights) {
+    const auto [name, result, factor] = py::cast<std::tuple<std::string, Result, double>>(each);
+    all.push_back({name, result.get(), factor});
+  }
+  const py::gil_scoped_release release;
+  return std::make_shared<Radiosities>(mix(all));
 }
 
 Result load(const Scene& scene, const std::string& path) {
@@ -153,6 +182,8 @@ void bind_jobs(py::module_& m) {
   py::class_<Radiosities, Result>(m, "Radiosities");
   m.def("render", &render_scene);
   m.def("solve_scene", &solve_scene);
+  m.def("solve_lights", &solve_lights_of);
+  m.def("mix", &mix_lights);
   m.def("load_solution", &load);
   m.def("solution_arrays", &solution_arrays);
   m.def("solution_facts", &solution_facts);

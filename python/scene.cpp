@@ -98,7 +98,14 @@ void add_object(Scene& scene, const py::dict& dict) {
   scene.instances.push_back(instance);
 }
 
-void add_light(Scene& scene, const py::dict& dict) { place_light(scene, {"", light_from(dict), -1}); }
+/// As light_from(), with a "name" beside.
+void add_light(Scene& scene, const py::dict& dict) {
+  const py::dict fields = dict.attr("copy")();
+  const std::string name = fields.contains("name") ? py::cast<std::string>(fields.attr("pop")("name")) : "";
+  const Light light = light_from(fields);
+  if (!name.empty()) scene.nodes.push_back({name});
+  place_light(scene, {name, light, name.empty() ? -1 : int(scene.nodes.size()) - 1});
+}
 
 void add_camera(Scene& scene, const py::dict& dict) { scene.cameras.push_back(camera_from(dict)); }
 

@@ -14,7 +14,7 @@ from ._geometry import Hits, intersect, mesh_normals, reflect, refract, vertex_n
 from ._illumination import albedo, highlight, illuminate, reciprocity, reflected_share, schlick_power
 from ._images import compare, read_image, write_image
 from ._lights import attenuation, depth_cue, irradiance, spot_falloff
-from ._scene import Lightmap, Scene, Solution, load, load_solution, radiance, trace
+from ._scene import Lightmap, Scene, Solution, load, load_solution, mix, radiance, trace
 from ._shading import arc_angle, fast_phong_series, interpolate, interpolate_cosine, interpolate_samples, slerp
 from ._radiosity import solve_radiosity
 from ._view_factors import ViewFactors, view_factors

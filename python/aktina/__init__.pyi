@@ -1,5 +1,5 @@
 """Types of the package's public names; the docstrings stand in the modules."""
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 import os
 from typing import Any
 
@@ -123,6 +123,7 @@ class ViewFactors:
     indices: NDArray[np.int32]
     indptr: NDArray[np.int64]
     errors: NDArray[np.float32]
+    transmittances: NDArray[np.float64] | None
     certificate: dict[str, Any]
     def __init__(self, arrays: Any) -> None: ...
     @property
@@ -143,6 +144,9 @@ def view_factors(
     target_error: float = 1e-4,
     repair: bool = False,
     two_sided: bool = False,
+    clear: bool = False,
+    max_memory: float = 0.0,
+    scratch: str | os.PathLike[str] | None = None,
     progress: Callable[[str, str, int, int, float], None] | None = None,
 ) -> ViewFactors: ...
 def form_factor(
@@ -227,11 +231,18 @@ class Scene:
         quality: str = "normal",
         target_error: float = 0.0,
         indirect_size: float = 2.0,
+        importance: dict[str, Any] | int | None = None,
         checkpoint: str | os.PathLike[str] | None = None,
         every: float = 60.0,
         resume: bool = False,
         progress: Callable[[str, str, int, int, float], object] | None = None,
     ) -> Solution: ...
+    def radiosity_by_light(
+        self,
+        seed: int = 0,
+        progress: Callable[[str, str, int, int, float], object] | None = None,
+        **options: Any,
+    ) -> dict[str, Solution]: ...
     def illuminance(
         self,
         points: ArrayLike,
@@ -325,6 +336,7 @@ class Lightmap:
     warnings: list[tuple[str, int]]
     def __init__(self, pages: Any, meshes: Any, texel_size: float, seams: Any, warnings: Any) -> None: ...
 
+def mix(lights: Mapping[str, Solution], factors: Mapping[str, float] | None = None) -> Solution: ...
 def load_solution(path: str | os.PathLike[str], scene: Scene) -> Solution: ...
 def load(path: str | os.PathLike[str], normals: str | None = None, crease: float = ...) -> Scene: ...
 def trace(scene: Scene, origins: ArrayLike, directions: ArrayLike, near: float = 0.0, far: float = ...) -> Hits: ...

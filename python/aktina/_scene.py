@@ -104,7 +104,7 @@ class Scene:
 
     def radiosity(self, solver="stochastic_jacobi", formfactor="ray_cast", patch_size=0.0, tolerance=0.0, most_steps=0,
                   most_patches=2_000_000, seed=0, mesher="uniform", quality="normal", target_error=0.0,
-                  indirect_size=2.0, checkpoint=None, every=60.0, resume=False, progress=None):
+                  indirect_size=2.0, importance=None, checkpoint=None, every=60.0, resume=False, progress=None):
         """The light between the diffuse surfaces, view independent.
 
         solver, formfactor, mesher : methods of the families "radiosity", "formfactor", "mesher".
@@ -113,6 +113,8 @@ class Scene:
         tolerance : stop when the light not yet distributed is below this share of the emitted.
         target_error : of the light on surfaces, relative, where a solver draws samples.
         indirect_size : longest edge of what exchanges indirect light, in patch sizes; 0: all light on all patches.
+        importance : a camera, or the number of one of the scene's: what it does not show is computed no finer than its
+            picture needs. Of solvers on trees ("hierarchical", "clustering", "wavelet_haar", ...).
         most_steps : 0: no limit.  most_patches : more are refused.
         checkpoint : file that keeps what is done so far, written about each `every` seconds.  resume : go on from it
             where it is there; the result has the same bytes as that of a run that was never ended.
@@ -125,13 +127,21 @@ class Scene:
         >>> bool(abs(solution.irradiances.max() - 10) < 0.5)
         True
         """
-        options = {"solver": solver, "formfactor": formfactor, "mesher": mesher, "quality": quality,
-                   "patch_size": float(patch_size), "tolerance": float(tolerance),
-                   "target_error": float(target_error), "indirect_size": float(indirect_size),
-                   "most_steps": int(most_steps), "most_patches": int(most_patches),
-                   "checkpoint": os.fspath(checkpoint) if checkpoint else "", "every": float(every),
-                   "resume": bool(resume)}
+        options = _radiosity_options(solver=solver, formfactor=formfactor, mesher=mesher, quality=quality,
+                                     patch_size=patch_size, tolerance=tolerance, target_error=target_error,
+                                     indirect_size=indirect_size, importance=importance, most_steps=most_steps,
+                                     most_patches=most_patches, checkpoint=checkpoint, every=every, resume=resume)
         return Solution(self, _core.solve_scene(self._scene, options, int(seed), progress))
+
+    def radiosity_by_light(self, seed=0, progress=None, **options):
+        """Each lamp, each object that shines and the sky ("environment") by itself, on one set of patches and form
+        factors: for lights that are dimmed and suns that move. Those of one name count as one light.
+
+        options : as for `radiosity`; direct light must be computed apart (indirect_size above 0).
+        Returns {name: Solution}; `mix` adds them up.  Raises as `radiosity` does, Unsupported, LimitExceeded.
+        """
+        lights = _core.solve_lights(self._scene, _radiosity_options(**options), int(seed), progress)
+        return {name: Solution(self, result) for name, result in lights.items()}
 
     def illuminance(self, points, normals, method="path", samples=64, seed=0, progress=None):
         """Irradiance at points on the side of their normals, lx per channel: what a light meter reads there.
@@ -252,6 +262,15 @@ class Solution:
         return f"<aktina.Solution: {len(self.areas)} patches, {'converged' if self.converged else 'not converged'}>"
 
 
+_RADIOSITY_TYPES = {"patch_size": float, "tolerance": float, "target_error": float, "indirect_size": float,
+                    "most_steps": int, "most_patches": int, "every": float, "resume": bool,
+                    "checkpoint": lambda path: os.fspath(path) if path else ""}
+
+
+def _radiosity_options(**options):
+    return {name: _RADIOSITY_TYPES.get(name, lambda value: value)(value) for name, value in options.items()}
+
+
 def _lightmap_options(texel_size, size, padding, keep_uv, direct_samples, gather_samples):
     return {"texel_size": float(texel_size), "size": int(size), "padding": int(padding), "keep_uv": bool(keep_uv),
             "direct_samples": int(direct_samples), "gather_samples": int(gather_samples)}
@@ -276,6 +295,32 @@ class Lightmap:
     def __repr__(self):
         sizes = ", ".join(f"{page.shape[1]} x {page.shape[0]}" for page in self.pages)
         return f"<aktina.Lightmap: {sizes} texels of {self.texel_size:.3g} m>"
+
+
+def mix(lights, factors=None):
+    """The light of several lights together, each dimmed. Light is additive: nothing is solved again.
+
+    lights : {name: Solution}, as `Scene.radiosity_by_light` gives them.
+    factors : {name: factor of its flux, 0 ..}; 1 where a light has none.
+    Returns Solution.  Raises UsageError (solutions of different runs, an unknown name), BadParam.
+
+    >>> import aktina
+    >>> floor = {"vertices": [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+    >>> lamps = [{"type": "point", "position": [0, 2, 0], "intensity": 40, "name": name} for name in "ab"]
+    >>> lights = aktina.Scene([floor], lights=lamps).radiosity_by_light(patch_size=0.5)
+    >>> both = aktina.mix(lights, {"b": 0.5})
+    >>> bool(abs(both.emitted / lights["a"].emitted - 1.5) < 1e-6)
+    True
+    """
+    factors = dict(factors or {})
+    unknown = sorted(set(factors) - set(lights))
+    if unknown:
+        raise UsageError(f"no light {unknown[0]!r}", "mix", f"there are: {', '.join(lights)}")
+    if not lights:
+        raise UsageError("no lights", "mix")
+    scene = next(iter(lights.values())).scene
+    weighted = [(name, solution._result, number("factor", factors.get(name, 1), 0)) for name, solution in lights.items()]
+    return Solution(scene, _core.mix(weighted))
 
 
 def load_solution(path, scene):

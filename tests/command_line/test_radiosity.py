@@ -7,6 +7,33 @@ import unittest
 from scene_commands import CORNELL, SceneCommandTest
 
 
+# A floor under two lamps.
+LAMPS = """mtllib lamps.mtl
+v 0 0 0
+v 0 0 1
+v 1 0 1
+v 1 0 0
+v 0.1 1 0.4
+v 0.3 1 0.4
+v 0.3 1 0.6
+v 0.1 1 0.6
+v 0.7 1 0.4
+v 0.9 1 0.4
+v 0.9 1 0.6
+v 0.7 1 0.6
+o floor
+usemtl white
+f 1 2 3 4
+o left
+usemtl shining
+f 5 6 7 8
+o right
+usemtl shining
+f 9 10 11 12
+"""
+LAMPS_MTL = "newmtl white\nKd 0.7 0.7 0.7\nnewmtl shining\nKd 0 0 0\nKe 10 10 10\n"
+
+
 def read_csv(path):
     """Comments, and records as dictionaries."""
     lines = path.read_text().splitlines()
@@ -61,6 +88,29 @@ class Radiosity(SceneCommandTest):
         self.assertAlmostEqual(emitted, 3000 * 3.14159265 * 0.130 * 0.105, delta=0.01 * emitted)  # pi L A, lm
         self.assertGreater(absorbed + escaped, 0.9 * emitted)
         self.assertLess(absorbed + escaped, 1.001 * emitted)
+
+    def test_each_light_and_lights_dimmed(self):
+        lamp = self.folder / "lamps.obj"
+        lamp.write_text(LAMPS), (self.folder / "lamps.mtl").write_text(LAMPS_MTL)
+        solve = ["radiosity", "lamps.obj", *self.quick, "--solver", "matrix", "--tolerance", "1e-5"]
+        self.succeed(*solve, "-o", "all.csv", "--each-light")
+        self.assertEqual(self.files(), ["all.0.left.csv", "all.1.right.csv", "lamps.mtl", "lamps.obj"])
+        self.succeed(*solve, "-o", "dim.csv", "--dim", "left=0.25", "--dim", "right=3")
+        lux = [[float(patch["illuminance_lx"]) for patch in read_csv(self.folder / name)[1]]
+               for name in ("all.0.left.csv", "all.1.right.csv", "dim.csv")]
+        self.assertGreater(max(lux[0]), 0)
+        for left, right, mixed in zip(*lux):
+            self.assertAlmostEqual(0.25 * left + 3 * right, mixed, delta=1e-3 * mixed + 1e-6)
+        for text in ("left", "left=", "left=-1", "left=nan", "=1x", "nobody=1"):
+            self.expect_error("usage", *solve, "-o", "no.csv", "--dim", text)
+        self.expect_error("usage", *solve, "-o", "no.csv", "--dim", "left=1", "--each-light")
+        self.expect_error("input", *solve, "-o", "no.csv", "--dim", "left=1", "--indirect-size", "0")
+        self.assertNotIn("no.csv", self.files())
+
+    def test_importance_of_a_camera(self):
+        self.succeed("radiosity", CORNELL, *self.quick, "--solver", "hierarchical", "--importance", "0", "-o", "a.csv")
+        self.assertIn("no camera", self.refuse("usage", CORNELL, None, "--solver", "hierarchical", "--importance", "x"))
+        self.refuse("input", CORNELL, None, "--importance", "0")
 
     def test_not_converged_is_an_exit_status(self):
         result = self.run_program("radiosity", CORNELL, "-o", "a.csv", "--patch-size", "0.2", "--max-steps", "1")

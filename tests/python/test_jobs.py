@@ -64,6 +64,43 @@ def test_a_solution_is_saved_loaded_and_bound_to_its_scene(tmp_path):
     assert lit.triangles > 0
 
 
+def test_lights_apart_add_up_and_are_dimmed():
+    floor = {"vertices": [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]}
+    lamps = [{"type": "point", "position": [0, 2, 0], "intensity": 40, "name": "lamp"},
+             {"type": "rectangle", "corner": [-0.1, 1, -0.1], "edge_u": [0.2, 0, 0], "edge_v": [0, 0, 0.2],
+              "radiance": 100, "name": "panel"}]
+    scene = aktina.Scene([floor], lights=lamps, sky=2)
+    lights = scene.radiosity_by_light(patch_size=0.25, solver="matrix", tolerance=1e-6)
+    assert list(lights) == ["lamp", "panel", "environment"]
+    together = scene.radiosity(patch_size=0.25, solver="matrix", tolerance=1e-6)
+    np.testing.assert_allclose(aktina.mix(lights).irradiances, together.irradiances, rtol=1e-4, atol=1e-4)
+    dimmed = aktina.mix(lights, {"panel": 0, "environment": 0.5})
+    expected = lights["lamp"].irradiances + 0.5 * lights["environment"].irradiances
+    np.testing.assert_allclose(dimmed.irradiances, expected, rtol=1e-5, atol=1e-5)
+    with pytest.raises(aktina.UsageError, match="nobody"):
+        aktina.mix(lights, {"nobody": 1})
+    with pytest.raises(aktina.UsageError):
+        aktina.mix({})
+    with pytest.raises(aktina.BadParam):
+        aktina.mix(lights, {"lamp": -1})
+    with pytest.raises(aktina.Unsupported):
+        scene.radiosity_by_light(patch_size=0.25, indirect_size=0)
+
+
+def test_importance_of_a_view():
+    walls = [{"vertices": [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]},
+             {"vertices": [[-1, 0, -1], [1, 0, -1], [1, 2, -1], [-1, 2, -1]], "triangles": [[0, 1, 2], [0, 2, 3]]}]
+    scene = aktina.Scene(walls, lights=[{"type": "point", "position": [0, 2, 0], "intensity": 40}])
+    camera = {"position": [0, 1, 3], "target": [0, 0.5, 0]}
+    for view in (camera, 0):
+        solution = scene.radiosity(solver="hierarchical", patch_size=0.2, importance=view)
+        assert solution.converged
+    with pytest.raises(aktina.Unsupported):
+        scene.radiosity(patch_size=0.2, importance=camera)
+    with pytest.raises(aktina.UsageError):
+        scene.radiosity(solver="hierarchical", patch_size=0.2, importance=7)
+
+
 def test_illuminance_agrees_with_the_solution():
     scene = box()
     solution = scene.radiosity(patch_size=0.5, tolerance=1e-4)

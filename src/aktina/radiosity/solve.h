@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "aktina/base/progress.h"
 #include "aktina/image/image.h"
@@ -23,6 +26,9 @@ struct RadiosityOptions {
   /// Direct light is computed apart, on every patch; indirect light on coarser ones, this many patch sizes long. 0: all
   /// light on all patches. Form factors other than by rays know no coarser patches.
   double indirect_size = 2;
+  /// The picture that the light is for: what it does not show is computed no finer than that picture needs. Of solvers
+  /// on trees (hierarchical, clustering, wavelets).
+  std::optional<Camera> importance{};
   uint64_t most_steps = 0;            // 0: no limit
   uint64_t most_patches = 2'000'000;  // more are refused before memory is taken
   uint32_t seed = 0;
@@ -46,6 +52,22 @@ struct RadiosityOptions {
 /// Patches that would reflect more than 0.99 are taken to reflect that, and counted in Solution::warnings.
 /// @throws Error usage, bad_param, no_such_method, limit; bad_input (nothing shines, no surface)
 Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options = {}, Progress* progress = nullptr);
+
+/// The light of one lamp, one object that emits, or the sky.
+struct LightSolution {
+  std::string name;
+  Solution solution;  // on the same patches for all; what others emit is 0
+};
+/// Each light of the scene by itself, on one set of patches, form factors or links: lights to be dimmed, suns to be
+/// moved. Lamps, objects and the sky ("environment") by name, those of one name together. As solve_radiosity() for the
+/// rest; `each_step` is not called.
+/// @throws Error as solve_radiosity(); unsupported (direct light not computed apart); limit (more than 256 lights)
+std::vector<LightSolution> solve_each_light(const Scene& scene, const RadiosityOptions& options = {},
+                                            Progress* progress = nullptr);
+/// Light is additive: the sum of solutions on the same patches, each times its weight.
+/// @param weights  as many, 0 .. inf
+/// @throws Error usage (patches that are not the same, no solutions, other weights)
+Solution mixed(std::span<const Solution* const> solutions, std::span<const double> weights);
 
 /// The scene as any viewer shows it without computing light: each instance's mesh cut into its patches, H / pi (cd/m^2)
 /// as vertex colours on unlit materials that keep their base texture; emissive surfaces carry their own radiance.

@@ -46,6 +46,20 @@ struct Radiosities {
 };
 Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress& progress);
 
+struct LightRadiosities {
+  std::string light;  // its name
+  Radiosities result;
+};
+/// Each light by itself: solve_each_light().
+std::vector<LightRadiosities> solve_lights(const Scene& scene, const RadiosityOptions& options, Progress& progress);
+struct DimmedLight {
+  std::string light;
+  const Radiosities* result;
+  double factor;
+};
+/// Those of one run together, each times its factor: mixed(). @throws Error usage, bad_param
+Radiosities mix(std::span<const DimmedLight> lights);
+
 /// A solution as a file: .aktina (to be loaded again), .vtu (ParaView), .csv (a line a patch), .glb or .gltf (the lit
 /// model), by the extension. @throws Error usage (another extension), io
 void write_radiosities(const Path& path, const Scene& scene, const Radiosities& radiosities);

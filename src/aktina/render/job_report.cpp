@@ -21,6 +21,7 @@ std::string settings(const RadiosityOptions& o) {
       "--solver {} --quality {} --formfactor {} --mesher {} --patch-size {} --tolerance {} --target-error {} "
       "--indirect-size {}",
       o.solver, o.quality, o.formfactor, o.mesher, o.patch_size, o.tolerance, o.target_error, o.indirect_size);
+  if (o.importance) line += fmt::format(" --importance '{}'", o.importance->name);
   if (o.most_steps > 0) line += fmt::format(" --max-steps {}", o.most_steps);
   return line;
 }

@@ -23,17 +23,60 @@ void add_to_report(Report& report, const Solution& solution, const Progress& pro
     report.warnings.add(fmt::format("not converged: {:.2g} of the light is not distributed yet", solution.unshot));
 }
 
-Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress& progress) {
-  Radiosities result;
-  result.report = begin_report(scene, options.seed);
-  Report& report = result.report;
+namespace {
+
+constexpr std::string_view kEachLight = " --each-light";
+
+Report begin(const Scene& scene, const RadiosityOptions& options) {
+  Report report = begin_report(scene, options.seed);
   report.settings = fmt::format("radiosity {} {} --seed {}", report.scene_file, settings(options), options.seed);
+  return report;
+}
+
+void finish(Radiosities& result, const Progress& progress) {
+  add_to_report(result.report, result.solution, progress);
+  result.solution.settings = result.report.settings, result.solution.scene_hash = result.report.scene_hash;
+}
+
+}  // namespace
+
+Radiosities solve(const Scene& scene, const RadiosityOptions& options, Progress& progress) {
+  Radiosities result{{}, begin(scene, options)};
   Stopwatch watch;
   result.solution = solve_radiosity(scene, options, &progress);
-  report.time("solve", watch.lap());
-  add_to_report(report, result.solution, progress);
-  result.solution.settings = report.settings, result.solution.scene_hash = report.scene_hash;
+  result.report.time("solve", watch.lap());
+  finish(result, progress);
   return result;
+}
+
+std::vector<LightRadiosities> solve_lights(const Scene& scene, const RadiosityOptions& options, Progress& progress) {
+  const Report report = begin(scene, options);
+  Stopwatch watch;
+  std::vector<LightSolution> lights = solve_each_light(scene, options, &progress);
+  const double seconds = watch.lap();
+  std::vector<LightRadiosities> results;
+  for (LightSolution& each : lights) {
+    Radiosities result{std::move(each.solution), report};
+    result.report.settings += kEachLight;
+    result.report.time("solve", seconds);
+    finish(result, progress);
+    results.push_back({std::move(each.name), std::move(result)});
+  }
+  return results;
+}
+
+Radiosities mix(std::span<const DimmedLight> lights) {
+  std::vector<const Solution*> solutions;
+  std::vector<double> factors;
+  for (const DimmedLight& each : lights) solutions.push_back(&each.result->solution), factors.push_back(each.factor);
+  Radiosities sum{mixed(solutions, factors), lights[0].result->report};
+  Report& report = sum.report;
+  report.counts.clear();
+  if (report.settings.ends_with(kEachLight)) report.settings.erase(report.settings.size() - kEachLight.size());
+  for (const DimmedLight& each : lights)
+    if (each.factor != 1) report.settings += fmt::format(" --dim '{}={}'", each.light, each.factor);
+  finish(sum, Progress());
+  return sum;
 }
 
 void write_radiosities(const Path& path, const Scene& scene, const Radiosities& radiosities) {

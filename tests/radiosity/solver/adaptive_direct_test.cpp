@@ -88,7 +88,8 @@ TEST(AdaptiveDirect, WhatStaysIsNotComputedAnewAndIsRight) {
   const Sides sides(mesh);
   DirectLight anew;
   const std::vector<float> open(sides.size(), 1);
-  DirectSources(scene, sides, open, visibility, options, mesh_options).shine_on(sides.all(), anew, kept, nullptr);
+  const LightGroup lights = all_lights(scene);
+  DirectSources(lights, sides, open, visibility, options, mesh_options).shine_on(sides.all(), anew, kept, nullptr);
   for (size_t s = 0; s < sides.size(); ++s) EXPECT_NEAR(light.all[s].g, anew.all[s].g, 1e-5f * anew.all[s].g + 1e-6f);
 }
 

@@ -68,13 +68,14 @@ DirectLight refine_by_direct_light(const Scene& scene, const Visibility& visibil
                                    const RadiosityOptions& options, const MeshOptions& mesh_options, PatchMesh& mesh,
                                    KeptDirectLight& kept, Progress* progress) {
   QuadtreeForest forest(scene, std::move(mesh), options.most_patches);
+  const LightGroup lights = all_lights(scene);
   DirectLight light;
   PatchMesh current = forest.mesh();
   std::vector<uint32_t> missing = Sides(current).all();
   for (int level = 0; !missing.empty(); ++level) {
     const Sides sides(current);
     const std::vector<float> open = ShooterHits(sides).open_shares();
-    DirectSources(scene, sides, open, visibility, options, mesh_options).shine_on(missing, light, kept, progress);
+    DirectSources(lights, sides, open, visibility, options, mesh_options).shine_on(missing, light, kept, progress);
     missing.clear();
     if (level == refinement.depth || (progress && progress->cancelled())) break;
     const std::vector<uint32_t> origin =

@@ -22,6 +22,7 @@ class ClusteringSolver final : public RadiositySolver {
     options.clusters = true, options.most = 0.02 * std::pow(control.target_error, 5.0 / 3);  // as `hierarchical`
     return solve_on_tree("clustering", problem, factors, control, options);
   }
+  bool uses_importance() const override { return true; }
 };
 
 }  // namespace

@@ -1,14 +1,15 @@
 #include "aktina/radiosity/solver/direct_apart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "aktina/base/statistics.h"
 
 namespace aktina {
 
-DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibility& visibility,
-                         const RadiosityOptions& options, const MeshOptions& mesh, DirectLight direct,
-                         Progress* progress, KeptDirectLight& kept)
+DirectApart::DirectApart(const Scene& scene, std::span<const LightGroup> groups, const Sides& sides,
+                         const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh,
+                         DirectLight direct, Progress* progress, KeptDirectLight& kept)
     : sides_(sides),
       hits_(sides),
       open_(hits_.open_shares()),
@@ -18,27 +19,53 @@ DirectApart::DirectApart(const Scene& scene, const Sides& sides, const Visibilit
       rays_(patches_, sides, hits_, options.seed),
       factors_(geometry_, visibility, surfaces_, ray_cast_samples(options.formfactor), options.seed, &rays_),
       interpolation_(patches_, sides, visibility) {
-  const DirectSources sources(scene, sides, open_, visibility, options, mesh);
-  if (direct.all.empty()) sources.shine_on(sides.all(), direct, kept, progress);
-  direct_ = std::move(direct.all);
-  RadiosityProblem all = sides.problem();
-  for (const Rgb lamps : direct.lamps)
-    for (int c = 0; c < 3; ++c) all.arriving.push_back(double(lamps[c]));
-  emitted_ = all.emitted();
-  sources.take_out(all.emissions);
-  make_problem(all);
+  problem_.bands = 3 * groups.size();
+  for (size_t i = 0; i < patches_.size(); ++i) problem_.areas.push_back(patches_.area(i));
+  problem_.shoot_one_by_one();
+  for (const LightGroup& lights : groups) {
+    const DirectSources sources(lights, sides, open_, visibility, options, mesh);
+    if (direct.all.empty()) sources.shine_on(sides.all(), direct, kept, progress);
+    add_group(lights, groups.size(), sources, std::exchange(direct, {}));
+  }
+  weigh_groups();
 }
 
-void DirectApart::make_problem(const RadiosityProblem& all) {
-  problem_.bands = all.bands, problem_.weights = all.weights;
-  for (size_t i = 0; i < patches_.size(); ++i) problem_.areas.push_back(patches_.area(i));
-  problem_.reflectances = patches_.means(all.reflectances, 3);
-  problem_.emissions = patches_.means(all.emissions, 3);
-  if (!all.passing.empty()) problem_.passing = patches_.means(all.passing, 3);
-  problem_.shoot_one_by_one();
-  std::vector<double> arriving(direct_.size() * 3);
-  for (size_t k = 0; k < arriving.size(); ++k) arriving[k] = double(direct_[k / 3][int(k % 3)]);
-  problem_.arriving = patches_.means(arriving, 3);
+void DirectApart::add_group(const LightGroup& lights, size_t groups, const DirectSources& sources, DirectLight direct) {
+  RadiosityProblem all = sides_.problem();
+  all.emissions = emissions_of_sides(lights, sides_);
+  for (const Rgb lamps : direct.lamps)
+    for (int c = 0; c < 3; ++c) all.arriving.push_back(double(lamps[c]));
+  Group group{std::move(direct.all), all.emitted()};
+  sources.take_out(all.emissions);
+  for (size_t k = 0; k < all.arriving.size(); ++k) all.arriving[k] = double(group.direct[k / 3][int(k % 3)]);
+  const auto put = [&](const std::vector<double>& values, std::vector<double>& into) {
+    if (values.empty()) return;
+    const std::vector<double> means = patches_.means(values, 3);
+    into.resize(means.size() * groups);
+    for (size_t k = 0; k < means.size(); ++k) into[k / 3 * problem_.bands + 3 * groups_.size() + k % 3] = means[k];
+  };
+  put(all.reflectances, problem_.reflectances), put(all.passing, problem_.passing);
+  put(all.emissions, problem_.emissions), put(all.arriving, problem_.arriving);
+  problem_.weights.insert(problem_.weights.end(), all.weights.begin(), all.weights.end());
+  groups_.push_back(std::move(group));
+}
+
+void DirectApart::weigh_groups() {
+  for (const Group& each : groups_) emitted_ += each.emitted;
+  if (groups_.size() == 1) return;
+  for (size_t g = 0; g < groups_.size(); ++g) {
+    if (!(groups_[g].emitted > 0)) continue;
+    const double share = emitted_ / (double(groups_.size()) * groups_[g].emitted);
+    for (size_t c = 0; c < 3; ++c) problem_.weights[3 * g + c] *= share;
+  }
+}
+
+std::vector<double> DirectApart::bands_of(const std::vector<double>& values, size_t group) const {
+  std::vector<double> three;
+  three.reserve(values.size() / groups_.size());
+  for (size_t first = 3 * group; first < values.size(); first += problem_.bands)
+    three.insert(three.end(), values.begin() + std::ptrdiff_t(first), values.begin() + std::ptrdiff_t(first + 3));
+  return three;
 }
 
 double DirectApart::absorbed(const std::vector<Rgb>& irradiances) const {
@@ -52,21 +79,37 @@ double DirectApart::absorbed(const std::vector<Rgb>& irradiances) const {
   return sum.value();
 }
 
-DirectApart::Light DirectApart::on_sides(const RadiosityState& coarse) const {
-  Light light{direct_, direct_, {}};
-  std::vector<double> indirect = coarse.irradiances, from_emitters = coarse.direct;
-  for (size_t k = 0; k < indirect.size(); ++k) indirect[k] -= problem_.arriving[k];
+/// Over what the group emits.
+double DirectApart::unshot_share(const RadiosityState& coarse, size_t group) const {
+  const double emitted = groups_[group].emitted;
+  if (!(emitted > 0)) return 0;
+  if (groups_.size() == 1) return coarse.unshot_share * problem_.emitted() / emitted;
+  Sum sum;
+  for (size_t i = 0; i < problem_.size(); ++i) {
+    const double* of = &coarse.unshot[i * problem_.bands + 3 * group];
+    sum.add(problem_.areas[i] * double(luminance(Rgb(float(of[0]), float(of[1]), float(of[2])))));
+  }
+  return sum.value() / emitted;
+}
+
+DirectApart::Light DirectApart::on_sides(const RadiosityState& coarse, size_t group) const {
+  const Group& own = groups_[group];
+  Light light{own.direct, own.direct, {}};
+  const std::vector<double> arriving = bands_of(problem_.arriving, group),
+                            emissions = bands_of(problem_.emissions, group);
+  std::vector<double> indirect = bands_of(coarse.irradiances, group), from_emitters = bands_of(coarse.direct, group);
+  for (size_t k = 0; k < indirect.size(); ++k) indirect[k] -= arriving[k];
   interpolation_.add(indirect, open_, light.irradiances);
   bool others_emit = false;  // than those that were computed apart
   for (size_t k = 0; k < from_emitters.size(); ++k) {
-    from_emitters[k] -= problem_.arriving[k];
-    others_emit = others_emit || problem_.emissions[k] > 0;
+    from_emitters[k] -= arriving[k];
+    others_emit = others_emit || emissions[k] > 0;
   }
   if (others_emit) interpolation_.add(from_emitters, open_, light.direct);
   RadiosityState& a = light.account;
   a.steps = coarse.steps, a.converged = coarse.converged;
-  a.emitted = emitted_;
-  a.unshot_share = emitted_ > 0 ? coarse.unshot_share * problem_.emitted() / emitted_ : 0;
+  a.emitted = own.emitted;
+  a.unshot_share = unshot_share(coarse, group);
   a.absorbed = absorbed(light.irradiances);
   a.escaped = a.emitted - a.absorbed - a.unshot_share * a.emitted;
   return light;

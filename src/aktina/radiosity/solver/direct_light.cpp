@@ -21,17 +21,17 @@ struct Question {
 
 class SideLight {
  public:
-  SideLight(const Scene& scene, const Sides& sides, const Visibility& visibility, uint32_t seed)
-      : scene_(scene), sides_(sides), visibility_(visibility), seed_(seed) {}
+  SideLight(const LightGroup& lights, const Sides& sides, const Visibility& visibility, uint32_t seed)
+      : lights_(lights), sides_(sides), visibility_(visibility), seed_(seed) {}
 
   Rgb of(size_t side) {
     questions_.clear();
     const uint32_t seed = hash_combine(seed_, uint32_t(side));
     for (uint32_t k = 0; k < kLampSamples; ++k) {
       const Point3 x = sides_.point(side, sobol_owen(k, seed));
-      for (const PlacedLight& lamp : scene_.lights) ask(x, sides_.normal(side), lamp.light);
+      for (const PlacedLight& lamp : lights_.lamps) ask(x, sides_.normal(side), lamp.light);
     }
-    if (scene_.environment.shines())
+    if (lights_.sky)
       for (uint32_t k = 0; k < kSkySamples; ++k)
         ask_sky(sides_.point(side, sobol_owen(k, seed)), sides_.normal(side), sobol_owen(k, hash32(seed)));
     return answer();
@@ -46,7 +46,7 @@ class SideLight {
   }
   void ask_sky(Point3 x, Vec3 n, Vec2 u) {
     const Vec3 direction = Frame(n).to_world(sample_cosine_hemisphere(u));
-    const Rgb l = radiance(scene_.environment, direction).v;
+    const Rgb l = radiance(*lights_.sky, direction).v;
     if (!is_black(l)) questions_.push_back({visibility_.towards(x, n, direction), l * float(kPi / kSkySamples)});
   }
 
@@ -63,7 +63,7 @@ class SideLight {
     return sum;
   }
 
-  const Scene& scene_;
+  const LightGroup& lights_;
   const Sides& sides_;
   const Visibility& visibility_;
   uint32_t seed_;
@@ -72,16 +72,14 @@ class SideLight {
 
 }  // namespace
 
-bool has_lamps(const Scene& scene) { return !scene.lights.empty() || scene.environment.shines(); }
-
-void direct_light(const Scene& scene, const Sides& sides, std::span<const uint32_t> of, const Visibility& visibility,
-                  uint32_t seed, Progress* progress, KeptList<Rgb>& illuminance) {
-  if (!has_lamps(scene)) return;
+void direct_light(const LightGroup& lights, const Sides& sides, std::span<const uint32_t> of,
+                  const Visibility& visibility, uint32_t seed, Progress* progress, KeptList<Rgb>& illuminance) {
+  if (!lights.has_lamps()) return;
   if (progress) progress->begin("direct light", "patches", of.size());
   illuminance.loop.run(of.size(), kBlock, progress, [&](size_t first, size_t last) {
     parallel_for(last - first, kGrain, [&](size_t begin, size_t end) {
       if (progress && progress->cancelled()) return;
-      SideLight light(scene, sides, visibility, seed);
+      SideLight light(lights, sides, visibility, seed);
       for (size_t i = first + begin; i < first + end; ++i) illuminance.values[i] = light.of(of[i]);
       if (progress) progress->advance(end - begin);
     });

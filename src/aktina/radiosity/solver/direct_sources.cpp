@@ -20,9 +20,9 @@ double total_area(const PatchMesh& mesh) {
   return sum;
 }
 
-DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::vector<float>& open,
+DirectSources::DirectSources(const LightGroup& lights, const Sides& sides, const std::vector<float>& open,
                              const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh)
-    : scene_(scene),
+    : lights_(lights),
       sides_(sides),
       open_(open),
       visibility_(visibility),
@@ -34,7 +34,7 @@ DirectSources::DirectSources(const Scene& scene, const Sides& sides, const std::
 
 /// The brightest emitters, as large as several coarse patches.
 void DirectSources::find_emitters() {
-  const std::vector<double> means = clusters_.means(sides_.problem().emissions, 3);
+  const std::vector<double> means = clusters_.means(emissions_of_sides(lights_, sides_), 3);
   const auto exitance = [&](uint32_t i) {
     return Rgb(float(means[3 * i]), float(means[3 * i + 1]), float(means[3 * i + 2]));
   };
@@ -51,7 +51,7 @@ void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, K
                              Progress* progress) const {
   light.lamps.resize(sides_.size(), Rgb(0)), light.all.resize(sides_.size(), Rgb(0));
   KeptDirectLight::Call& here = kept.next(of.size());
-  direct_light(scene_, sides_, of, visibility_, seed_, progress, here.lamps);
+  direct_light(lights_, sides_, of, visibility_, seed_, progress, here.lamps);
   if (here.all.loop.done() == 0) here.all.values = here.lamps.values;
   if (!emitters_.empty() && !of.empty()) {
     ShotGeometry geometry(sides_, clusters_, true);

@@ -8,6 +8,7 @@
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solve.h"
 #include "aktina/radiosity/solver/coarse_patches.h"
+#include "aktina/radiosity/solver/light_groups.h"
 #include "aktina/radiosity/solver/visibility.h"
 
 namespace aktina {
@@ -41,13 +42,13 @@ class KeptDirectLight {
 class DirectSources {
  public:
   /// @param open  by side, as CoarsePatches has it. The arguments must outlive this.
-  DirectSources(const Scene& scene, const Sides& sides, const std::vector<float>& open, const Visibility& visibility,
-                const RadiosityOptions& options, const MeshOptions& mesh);
+  DirectSources(const LightGroup& lights, const Sides& sides, const std::vector<float>& open,
+                const Visibility& visibility, const RadiosityOptions& options, const MeshOptions& mesh);
 
   /// What arrives on the sides `of` replaces what `light` has there. The same values for a side whichever others are
   /// asked for with it.
   void shine_on(std::span<const uint32_t> of, DirectLight& light, KeptDirectLight& kept, Progress* progress) const;
-  /// Takes what these sources emit out of the emissions of the sides' problem.
+  /// Takes what these sources emit out of emissions by side.
   void take_out(std::vector<double>& emissions) const;
 
  private:
@@ -55,7 +56,7 @@ class DirectSources {
   /// Of the mean irradiance of a side, what its open part has.
   Rgb on_open(uint32_t side, Rgb mean) const { return clusters_.partly_open(side) ? mean / open_[side] : mean; }
 
-  const Scene& scene_;
+  const LightGroup& lights_;
   const Sides& sides_;
   const std::vector<float>& open_;
   const Visibility& visibility_;

@@ -27,6 +27,7 @@ class HierarchicalSolver final : public RadiositySolver {
     options.oracle = oracle_, options.most = most_of(oracle_, control.target_error);
     return solve_on_tree("hierarchical", problem, factors, control, options);
   }
+  bool uses_importance() const override { return true; }
 
  private:
   Oracle oracle_;

@@ -15,7 +15,7 @@ PatchElements::PatchElements(const Scene& scene, const Visibility& visibility, c
       mesh_(mesh),
       progress_(progress),
       stage_(stage()),
-      lamps_(checkpoint, "light of lamps", has_lamps(scene) ? sides().size() : 0) {
+      lamps_(checkpoint, "light of lamps", all_lights(scene).has_lamps() ? sides().size() : 0) {
   if (refinement.depth > 0) forest_ = std::make_unique<QuadtreeForest>(scene, mesh, options.most_patches);
   shine_on(sides().all(), lamps_);
 }
@@ -33,8 +33,9 @@ std::unique_ptr<PatchElements::Stage> PatchElements::stage() const {
 
 /// Light of lamps and the sky on some sides.
 void PatchElements::shine_on(std::span<const uint32_t> sides, KeptList<Rgb>& light) {
-  if (!has_lamps(scene_)) return;
-  direct_light(scene_, stage_->sides, sides, visibility_, options_.seed, progress_, light);
+  const LightGroup lights = all_lights(scene_);
+  if (!lights.has_lamps()) return;
+  direct_light(lights, stage_->sides, sides, visibility_, options_.seed, progress_, light);
   std::vector<double>& arriving = stage_->problem.arriving;
   arriving.resize(3 * stage_->sides.size(), 0);
   for (size_t i = 0; i < sides.size(); ++i)

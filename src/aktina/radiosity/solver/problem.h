@@ -19,6 +19,7 @@ namespace aktina {
 
 class Checkpoint;
 class ReceiverSurfaces;
+struct Camera;
 
 /// Values by receiver and band stand band by band: [receiver * bands + band].
 struct RadiosityProblem {
@@ -114,6 +115,7 @@ struct SolverControl {
   Progress* progress = nullptr;
   Checkpoint* checkpoint = nullptr;  // keeps what is done so far; may be null
   std::function<void(const RadiosityState&)> each_step{};
+  const Camera* view = nullptr;         // the picture that the light is for, where solvers use importance; may be null
   ElementSplitter* splitter = nullptr;  // for solvers that split receivers as they go; may be null
   bool stopped(uint64_t steps) const {
     return (progress && progress->cancelled()) || (most_steps > 0 && steps >= most_steps);

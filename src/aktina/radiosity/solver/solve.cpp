@@ -1,7 +1,7 @@
 // A scene -> patches -> light on them: the stages of a radiosity solution in their order.
 #include "aktina/radiosity/solve.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -10,7 +10,7 @@
 #include "aktina/radiosity/mesher/mesher.h"
 #include "aktina/radiosity/solver/adaptive_direct.h"
 #include "aktina/radiosity/solver/direct_apart.h"
-#include "aktina/radiosity/solver/direct_light.h"
+#include "aktina/radiosity/solver/light_groups.h"
 #include "aktina/radiosity/solver/patch_elements.h"
 #include "aktina/radiosity/solver/quality.h"
 #include "aktina/radiosity/solver/reconstruct.h"
@@ -21,12 +21,17 @@
 namespace aktina {
 namespace {
 
+std::string view_text(const Camera& c) {
+  return fmt::format("{},{},{},{},{}", fmt::join(&c.to_world[0][0], &c.to_world[0][0] + 16, ","), int(c.kind),
+                     c.vertical_fov, c.half_height, c.aspect);
+}
+
 std::string settings_of(const RadiosityOptions& o) {
   return fmt::format(
       "solver={} formfactor={} mesher={} quality={} patch_size={} tolerance={} target_error={} indirect_size={} "
-      "most_steps={} seed={}",
+      "most_steps={} seed={} importance={}",
       o.solver, o.formfactor, o.mesher, o.quality, o.patch_size, o.tolerance, o.target_error, o.indirect_size,
-      o.most_steps, o.seed);
+      o.most_steps, o.seed, o.importance ? view_text(*o.importance) : "");
 }
 
 /// Values of sides as the solution has them: by patch, front and back.
@@ -66,7 +71,7 @@ Radiosity ambient_light(const RadiosityProblem& p, const RadiosityState& state) 
 void require_light(const Scene& scene, const PatchMesh& mesh) {
   const bool emits =
       std::any_of(mesh.emissions.begin(), mesh.emissions.end(), [](Radiosity e) { return !is_black(e.v); });
-  if (!emits && !has_lamps(scene))
+  if (!emits && !all_lights(scene).has_lamps())
     throw Error(Code::bad_input, scene.source, "nothing shines in the scene",
                 "an emissive material, a lamp or an environment; or add_default_light()");
 }
@@ -77,6 +82,7 @@ SolverControl control_of(const RadiosityOptions& options, Progress* progress) {
   control.target_error = options.target_error;
   control.most_steps = options.most_steps;
   control.seed = options.seed;
+  control.view = options.importance ? &*options.importance : nullptr;
   control.progress = progress;
   return control;
 }
@@ -104,65 +110,133 @@ void solve_on_patches(PatchElements& elements, const RadiositySolver& solver, co
   take(state);
 }
 
-void solve_apart(const DirectApart& apart, const RadiositySolver& solver, const Sides& sides,
-                 const RadiosityOptions& options, SolverControl control, Solution& solution) {
-  const auto take = [&](const RadiosityState& coarse) {
-    const DirectApart::Light light = apart.on_sides(coarse);
-    copy(
-        sides, [&](size_t s) { return light.irradiances[s]; }, solution.irradiances, solution.back_irradiances);
-    copy(
-        sides, [&](size_t s) { return light.direct[s]; }, solution.direct_irradiances,
-        solution.back_direct_irradiances);
-    fill(solution, light.account);
-  };
-  if (options.each_step)
-    control.each_step = [&](const RadiosityState& state) {
-      take(state);
-      options.each_step({state.steps, solution.unshot, ambient_light(apart.problem(), state), &solution});
-    };
-  control.tolerance *= apart.emitted() / std::max(apart.problem().emitted(), 1e-300);
-  take(solver.solve(apart.problem(), apart.factors(), control));
+/// Takes a group's light over from a solver's state.
+void take(const DirectApart& apart, const RadiosityState& coarse, size_t group, const Sides& sides,
+          Solution& solution) {
+  const DirectApart::Light light = apart.on_sides(coarse, group);
+  copy(
+      sides, [&](size_t s) { return light.irradiances[s]; }, solution.irradiances, solution.back_irradiances);
+  copy(
+      sides, [&](size_t s) { return light.direct[s]; }, solution.direct_irradiances, solution.back_direct_irradiances);
+  fill(solution, light.account);
 }
+
+RadiosityState solve_apart(const DirectApart& apart, const RadiositySolver& solver, SolverControl control) {
+  control.tolerance *= apart.emitted() / std::max(apart.problem().emitted(), 1e-300);
+  return solver.solve(apart.problem(), apart.factors(), control);
+}
+
+/// What a solution begins with, whether lights are told apart or not.
+class Run {
+ public:
+  Run(const Scene& scene, const RadiosityOptions& given, std::string_view kind, Progress* progress)
+      : options_(resolved(given)),
+        mesher_(make_method(meshers(), "mesher", options_.mesher)),
+        solver_(make_method(solvers(), "radiosity", options_.solver)),
+        apart_(options_.indirect_size > 0 && is_ray_cast(options_.formfactor)),
+        mesh_options_(mesh_options(options_, apart_)),
+        scene_(scene),
+        progress_(progress),
+        control_(control_of(options_, progress)) {
+    if (options_.importance && !solver_->uses_importance())
+      throw Error(Code::unsupported, options_.solver, "takes no account of importance",
+                  "hierarchical, clustering, or a wavelet solver");
+    solution_.settings = settings_of(options_) + std::string(kind);
+    solution_.scene_hash = hash(scene).text();
+    solution_.seed = options_.seed;
+    if (progress) progress->begin("meshing", "patches", 0);
+    solution_.mesh = mesher_->mesh(*scene_, mesh_options_, solution_.warnings);
+    require_light(scene, solution_.mesh);
+    visibility_.emplace(*scene_);
+    if (!options_.checkpoint.file.empty())
+      checkpoint_.emplace(options_.checkpoint, solution_.scene_hash, solution_.settings, progress);
+    control_.checkpoint = checkpoint_ ? &*checkpoint_ : nullptr;
+  }
+
+  Solution all_lights() {
+    if (apart_)
+      solve_with_direct_apart();
+    else
+      solve_on_patches();
+    reconstruct_vertices(solution_);
+    return std::move(solution_);
+  }
+
+  std::vector<LightSolution> each_light() {
+    if (!apart_)
+      throw Error(Code::unsupported, "each light",
+                  "is found where direct light is computed apart: with an indirect size and form factors by rays");
+    KeptDirectLight kept(control_.checkpoint);
+    refine(kept);
+    const Sides sides(solution_.mesh);
+    const std::vector<LightGroup> groups = aktina::each_light(*scene_, solution_.mesh);
+    if (groups.size() > kMostLights)
+      throw Error(Code::limit, "each light", fmt::format("{} lights", groups.size()),
+                  fmt::format("at most {}: give those that are dimmed together one name", kMostLights));
+    const DirectApart apart(*scene_, groups, sides, *visibility_, options_, mesh_options_, {}, progress_, kept);
+    const RadiosityState state = solve_apart(apart, *solver_, control_);
+    std::vector<LightSolution> solutions;
+    for (size_t g = 0; g < groups.size(); ++g) {
+      LightSolution& each = solutions.emplace_back(LightSolution{groups[g].name, solution_});
+      each.solution.mesh.emissions = groups[g].emissions(solution_.mesh);
+      take(apart, state, g, sides, each.solution);
+      reconstruct_vertices(each.solution);
+    }
+    return solutions;
+  }
+
+ private:
+  static constexpr size_t kMostLights = 256;
+
+  DirectLight refine(KeptDirectLight& kept) {
+    const Refinement refinement = mesher_->refinement();
+    if (refinement.depth == 0) return {};
+    return refine_by_direct_light(*scene_, *visibility_, refinement, options_, mesh_options_, solution_.mesh, kept,
+                                  progress_);
+  }
+
+  void solve_with_direct_apart() {
+    KeptDirectLight kept(control_.checkpoint);
+    DirectLight direct = refine(kept);
+    const Sides sides(solution_.mesh);
+    const LightGroup all[] = {aktina::all_lights(*scene_)};
+    const DirectApart apart(*scene_, all, sides, *visibility_, options_, mesh_options_, std::move(direct), progress_,
+                            kept);
+    if (options_.each_step)
+      control_.each_step = [&](const RadiosityState& state) {
+        take(apart, state, 0, sides, solution_);
+        options_.each_step({state.steps, solution_.unshot, ambient_light(apart.problem(), state), &solution_});
+      };
+    take(apart, solve_apart(apart, *solver_, control_), 0, sides, solution_);
+  }
+
+  void solve_on_patches() {
+    PatchElements elements(*scene_, *visibility_, mesher_->refinement(), options_, solution_.mesh, progress_,
+                           control_.checkpoint);
+    aktina::solve_on_patches(elements, *solver_, options_, control_, solution_);
+  }
+
+  RadiosityOptions options_;
+  std::unique_ptr<Mesher> mesher_;
+  std::unique_ptr<RadiositySolver> solver_;
+  bool apart_;
+  MeshOptions mesh_options_;
+  TessellatedScene scene_;
+  Progress* progress_;
+  SolverControl control_;
+  Solution solution_;
+  std::optional<Visibility> visibility_;
+  std::optional<Checkpoint> checkpoint_;
+};
 
 }  // namespace
 
-Solution solve_radiosity(const Scene& scene, const RadiosityOptions& given, Progress* progress) {
-  const RadiosityOptions options = resolved(given);
-  const auto mesher = make_method(meshers(), "mesher", options.mesher);
-  const auto solver = make_method(solvers(), "radiosity", options.solver);
-  const bool apart = options.indirect_size > 0 && is_ray_cast(options.formfactor);
-  const TessellatedScene tessellated(scene);
-  Solution solution;
-  solution.settings = settings_of(options);
-  solution.scene_hash = hash(scene).text();
-  solution.seed = options.seed;
-  if (progress) progress->begin("meshing", "patches", 0);
-  const MeshOptions mesh = mesh_options(options, apart);
-  solution.mesh = mesher->mesh(*tessellated, mesh, solution.warnings);
-  require_light(scene, solution.mesh);
+Solution solve_radiosity(const Scene& scene, const RadiosityOptions& options, Progress* progress) {
+  return Run(scene, options, "", progress).all_lights();
+}
 
-  const Visibility visibility(*tessellated);
-  const Refinement refinement = mesher->refinement();
-  std::optional<Checkpoint> checkpoint;
-  if (!options.checkpoint.file.empty())
-    checkpoint.emplace(options.checkpoint, solution.scene_hash, solution.settings, progress);
-  SolverControl control = control_of(options, progress);
-  control.checkpoint = checkpoint ? &*checkpoint : nullptr;
-  if (apart) {
-    KeptDirectLight kept(control.checkpoint);
-    DirectLight direct;
-    if (refinement.depth > 0)
-      direct =
-          refine_by_direct_light(*tessellated, visibility, refinement, options, mesh, solution.mesh, kept, progress);
-    const Sides sides(solution.mesh);
-    solve_apart(DirectApart(*tessellated, sides, visibility, options, mesh, std::move(direct), progress, kept), *solver,
-                sides, options, control, solution);
-  } else {
-    PatchElements elements(*tessellated, visibility, refinement, options, solution.mesh, progress, control.checkpoint);
-    solve_on_patches(elements, *solver, options, control, solution);
-  }
-  reconstruct_vertices(solution);
-  return solution;
+std::vector<LightSolution> solve_each_light(const Scene& scene, const RadiosityOptions& options, Progress* progress) {
+  return Run(scene, options, " each light", progress).each_light();
 }
 
 }  // namespace aktina

@@ -19,6 +19,8 @@ class RadiositySolver {
                                const SolverControl& control) const = 0;
   /// Whether factors must keep A_i F_ij = A_j F_ji.
   virtual bool needs_reciprocity() const { return false; }
+  /// Whether it computes no finer than SolverControl::view needs.
+  virtual bool uses_importance() const { return false; }
 };
 
 using RadiositySolverRow = Method<std::unique_ptr<RadiositySolver>>;

@@ -28,7 +28,7 @@ ClusterLinks::ClusterLinks(SurfaceTree& tree, TreeLight& light, const Visibility
     : tree_(tree), light_(light), visibility_(visibility), bands_(bands), seed_(seed), clusters_(tree) {
   const size_t count = clusters_.clusters().size();
   intensities_.resize(count * kAxes * bands), arriving_.resize(intensities_.size());
-  brightness_.resize(count);
+  brightness_.resize(count), importance_.resize(count);
   if (count > 0) links_.push_back({ClusterTree::place(0), ClusterTree::place(0), Vec3(0), 0, 0, -1});
 }
 
@@ -43,6 +43,10 @@ ClusterLinks::Body ClusterLinks::body(uint32_t place) const {
 
 double ClusterLinks::brightness(uint32_t place) const {
   return ClusterTree::is_cluster(place) ? brightness_[ClusterTree::number(place)] : light_.brightness(place);
+}
+
+double ClusterLinks::importance(uint32_t place) const {
+  return ClusterTree::is_cluster(place) ? importance_[ClusterTree::number(place)] : light_.importance(place);
 }
 
 /// The larger one, if it may be cut; clusters always may.
@@ -64,8 +68,8 @@ double ClusterLinks::shared(uint32_t place, Vec3 direction) const {
 ClusterLinks::Verdict ClusterLinks::evaluate(Link& link) const {
   const Body receiver = body(link.receiver), sender = body(link.sender);
   link.visible = -1;
-  const double bright = brightness(link.sender);
-  if (!(bright > 0)) return Verdict::link;
+  if (!shines(link.sender)) return Verdict::link;
+  const double bright = weight(link);
   const float distance = length(sender.centre - receiver.centre), reach = receiver.radius + sender.radius;
   if (distance <= kApart * reach) return to_cut(link, receiver, sender);
   link.direction = (sender.centre - receiver.centre) / distance;
@@ -149,7 +153,7 @@ std::vector<NodePair> ClusterLinks::refine(double most, double final, Progress* 
   std::vector<Link> kept;
   pairs_.clear();
   for (const Link& link : links_) {
-    const bool known = link.visible >= 0 && brightness(link.sender) * double(link.error) <= most;
+    const bool known = link.visible >= 0 && weight(link) * double(link.error) <= most;
     (known ? kept : open_).push_back(link);
   }
   std::vector<Link> batch;
@@ -185,9 +189,9 @@ void ClusterLinks::pull() {
   const size_t per_cluster = kAxes * bands_;
   for (size_t c = clusters.size(); c-- > 0;) {
     double* own = &intensities_[c * per_cluster];
-    double power = 0;
+    double power = 0, matters = 0;
     for (const uint32_t child : clusters[c].children) {
-      power += body(child).area * brightness(child);
+      power += body(child).area * brightness(child), matters += body(child).area * importance(child);
       if (ClusterTree::is_cluster(child)) {
         const double* from = &intensities_[ClusterTree::number(child) * per_cluster];
         for (size_t k = 0; k < per_cluster; ++k) own[k] += from[k];
@@ -199,7 +203,7 @@ void ClusterLinks::pull() {
         for (size_t b = 0; b < bands_; ++b) own[axis * bands_ + b] += across * radiosity[b];
       }
     }
-    brightness_[c] = power / clusters[c].area;
+    brightness_[c] = power / clusters[c].area, importance_[c] = matters / clusters[c].area;
   }
 }
 

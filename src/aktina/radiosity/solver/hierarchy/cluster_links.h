@@ -50,6 +50,12 @@ class ClusterLinks {
 
   Body body(uint32_t place) const;
   double brightness(uint32_t place) const;
+  double importance(uint32_t place) const;
+  bool shines(uint32_t place) const {
+    return brightness(place) > 0 || (light_.has_importance() && importance(place) > 0);
+  }
+  /// What an error of a link's flux counts, over that error in m^2.
+  double weight(const Link& link) const { return brightness(link.sender) * importance(link.receiver); }
   Verdict to_cut(const Link& link, const Body& receiver, const Body& sender) const;
   Verdict evaluate(Link& link) const;
   void look(Link& link, float rays) const;
@@ -67,8 +73,8 @@ class ClusterLinks {
   ClusterTree clusters_;
   std::vector<Link> links_, open_;  // sorted by receiver; to be looked at
   std::vector<NodePair> pairs_;
-  std::vector<double> intensities_, arriving_;  // [(cluster * kAxes + axis) * bands + band]
-  std::vector<double> brightness_;              // by cluster
+  std::vector<double> intensities_, arriving_;   // [(cluster * kAxes + axis) * bands + band]
+  std::vector<double> brightness_, importance_;  // by cluster
   double most_ = 0, final_ = 0;
 };
 

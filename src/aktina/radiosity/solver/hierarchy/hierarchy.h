@@ -9,6 +9,7 @@
 #include "aktina/radiosity/solver/hierarchy/cluster_links.h"
 #include "aktina/radiosity/solver/hierarchy/link_refinement.h"
 #include "aktina/radiosity/solver/solver.h"
+#include "aktina/scene/camera.h"
 
 namespace aktina {
 
@@ -22,6 +23,8 @@ struct HierarchyOptions {
   double leaf_size = 1;
   /// Surfaces are linked by clusters; of bases with one function a node.
   bool clusters = false;
+  /// Links are as fine as the picture from here needs, where it is not null.
+  const Camera* view = nullptr;
 };
 
 class LinkedTree {
@@ -46,7 +49,7 @@ class LinkedTree {
  private:
   std::vector<double> gather();
 
-  const RadiosityProblem& problem_;
+  RadiosityProblem problem_;  // with importance as its last band, where there is a view
   Basis basis_;
   SurfaceTree tree_;
   Transport transport_;
@@ -61,6 +64,6 @@ class LinkedTree {
 /// What all solvers on trees do. @throws Error unsupported (factors without surfaces), limit
 /// @param method  for messages
 RadiosityState solve_on_tree(std::string_view method, const RadiosityProblem& problem, const FactorSource& factors,
-                             const SolverControl& control, const HierarchyOptions& options);
+                             const SolverControl& control, HierarchyOptions options);
 
 }  // namespace aktina

@@ -28,10 +28,12 @@ void check_memory(size_t links, size_t per_link) {
 /// What the oracle looks at. Where some rays pass, the edge of a shadow lies across.
 double LinkRefinement::measure(const Link& link, uint32_t receiver) const {
   if (link.visible < 0) return 0;
-  const double brightness = light_.brightness(link.sender), area = tree_.area(receiver);
+  const double brightness = light_.brightness(link.sender) * light_.importance(receiver), area = tree_.area(receiver);
   const float seen = std::max(link.visible, kDoubt);
-  if (oracle_ == Oracle::factor)
-    return brightness > 0 ? double(link.factor * seen) * std::max(1.0, area / tree_.area(link.sender)) : 0;
+  if (oracle_ == Oracle::factor) {
+    if (!(brightness > 0)) return 0;
+    return double(link.factor * seen) * std::max(1.0, area / tree_.area(link.sender)) * light_.importance(receiver);
+  }
   if (oracle_ == Oracle::brightness) return brightness * area * double(link.factor * seen);
   float error = link.spread * seen;
   if (link.visible < kClear) error += link.factor * std::max(link.visible * (1 - link.visible), kDoubt);
@@ -39,9 +41,9 @@ double LinkRefinement::measure(const Link& link, uint32_t receiver) const {
 }
 
 int LinkRefinement::rays(const Link& link, uint32_t receiver) const {
-  const double flux = oracle_ == Oracle::factor
-                          ? double(link.factor)
-                          : light_.brightness(link.sender) * tree_.area(receiver) * double(link.factor);
+  const double flux = oracle_ == Oracle::factor ? double(link.factor)
+                                                : light_.brightness(link.sender) * light_.importance(receiver) *
+                                                      tree_.area(receiver) * double(link.factor);
   return flux < 0.5 * final_ ? kFewRays : flux < 32 * final_ ? kUsualRays : kManyRays;
 }
 
@@ -67,7 +69,7 @@ void LinkRefinement::evaluate(std::span<const Pair> pairs, std::span<Result> res
     if (tree_.nodes()[pair.receiver].covered == 0 || tree_.nodes()[pair.sender].covered == 0) continue;
     if (turned_away(receiver, sender)) continue;
     result.verdict = Verdict::link;
-    if (!(light_.brightness(pair.sender) > 0)) continue;
+    if (!light_.shines(pair.sender)) continue;
     const NodeExchange exchange = transport_.sample(receiver, sender, per_link ? &coefficients[k * per_link] : nullptr);
     result.link = {pair.sender, exchange.factor, exchange.spread, 1};
   }
@@ -173,8 +175,7 @@ void LinkRefinement::refine(Links& links, double most, double final, Progress* p
     const std::span<const Link> own = links.of(receiver);
     for (size_t k = 0; k < own.size(); ++k) {
       const Link& link = own[k];
-      const bool lit = link.visible >= 0 || !(light_.brightness(link.sender) > 0);
-      if (!lit) {
+      if (link.visible < 0 && light_.shines(link.sender)) {
         open_.push_back({receiver, link.sender, false});
         continue;
       }

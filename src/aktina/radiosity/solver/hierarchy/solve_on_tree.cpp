@@ -73,11 +73,12 @@ class TreeSolve {
 }  // namespace
 
 RadiosityState solve_on_tree(std::string_view method, const RadiosityProblem& problem, const FactorSource& factors,
-                             const SolverControl& control, const HierarchyOptions& options) {
+                             const SolverControl& control, HierarchyOptions options) {
   const ReceiverSurfaces* surfaces = factors.surfaces();
   if (!surfaces)
     throw Error(Code::unsupported, std::string(method), "cuts surfaces itself, and these form factors have none",
                 "formfactor=ray_cast, or a solver for given factors as matrix");
+  options.view = control.view;
   LinkedTree hierarchy(problem, *surfaces, options, control.seed);
   return TreeSolve(problem, hierarchy, control).run();
 }

@@ -5,8 +5,13 @@
 
 namespace aktina {
 
-TreeLight::TreeLight(const SurfaceTree& tree, const Basis& basis, const RadiosityProblem& problem)
-    : tree_(tree), basis_(basis), problem_(problem), functions_(basis.most()), per_node_(functions_ * problem.bands) {
+TreeLight::TreeLight(const SurfaceTree& tree, const Basis& basis, const RadiosityProblem& problem, bool has_importance)
+    : tree_(tree),
+      basis_(basis),
+      problem_(problem),
+      functions_(basis.most()),
+      per_node_(functions_ * problem.bands),
+      has_importance_(has_importance) {
   grow();
 }
 
@@ -70,6 +75,13 @@ void TreeLight::push_to_children(uint32_t node, std::vector<double>& irradiances
     }
 }
 
+/// Over the node's area.
+double TreeLight::mean(const std::vector<double>& values, uint32_t node, size_t band) const {
+  const double* of = &values[node * per_node_ + band * functions_];
+  if (basis_.of(tree_.root(node).triangle).powers.empty()) return (of[0] + of[1] + of[2] + of[3]) / 2;  // boxes
+  return of[0];
+}
+
 void TreeLight::pull() {
   for (size_t node = tree_.nodes().size(); node-- > 0;) {
     double brightness = 0;
@@ -85,16 +97,26 @@ void TreeLight::pull() {
         }
       for (size_t c = 0; c < 4; ++c) brightness += brightness_[first + c] / 4;
     } else {
-      const ShapeBasis& shape = basis_.of(tree_.root(uint32_t(node)).triangle);
-      for (size_t b = 0; b < problem_.bands; ++b) {
-        const double* of = &radiosities[node * per_node_ + b * functions_];
-        double mean = of[0];
-        if (shape.powers.empty()) mean = (of[0] + of[1] + of[2] + of[3]) / 2;  // boxes of height 2
-        brightness += problem_.weights[b] * std::max(mean, 0.0);
-      }
+      for (size_t b = 0; b < problem_.bands; ++b)
+        brightness += problem_.weights[b] * std::max(mean(radiosities, uint32_t(node), b), 0.0);
     }
     brightness_[node] = brightness;
   }
+  if (has_importance_) scale_importance();
+}
+
+/// What is seen has importance 1 on average, weighted by its share of the picture.
+void TreeLight::scale_importance() {
+  const size_t band = problem_.bands - 1;
+  double sum = 0, seen = 0;
+  for (uint32_t node = 0; node < tree_.nodes().size(); ++node) {
+    if (!tree_.is_leaf(node)) continue;
+    const double own = tree_.area(node) * mean(sources_, node, band);
+    sum += own * mean(radiosities, node, band), seen += own;
+  }
+  importance_.resize(tree_.nodes().size());
+  for (uint32_t node = 0; node < tree_.nodes().size(); ++node)
+    importance_[node] = seen > 0 ? std::clamp(mean(radiosities, node, band) * seen / sum, 0.0, 1.0) : 1;
 }
 
 void TreeLight::push_and_pull(std::span<const double> gathered) {
@@ -114,7 +136,7 @@ void TreeLight::emit_only() {
 }
 
 std::vector<double> TreeLight::receivers(const std::vector<double>& irradiances) const {
-  const size_t bands = problem_.bands;
+  const size_t stride = problem_.bands, bands = stride - (has_importance_ ? 1 : 0);
   std::vector<double> sums(problem_.size() * bands, 0);
   for (uint32_t node = 0; node < tree_.nodes().size(); ++node) {
     if (!tree_.is_leaf(node) || tree_.overlaps(node).empty()) continue;
@@ -128,7 +150,7 @@ std::vector<double> TreeLight::receivers(const std::vector<double>& irradiances)
   }
   for (size_t k = 0; k < sums.size(); ++k) {
     sums[k] = std::max(sums[k], 0.0) / problem_.areas[k / bands];
-    if (!problem_.arriving.empty()) sums[k] += problem_.arriving[k];
+    if (!problem_.arriving.empty()) sums[k] += problem_.arriving[k / bands * stride + k % bands];
   }
   return sums;
 }

@@ -15,16 +15,25 @@ namespace aktina {
 ///
 /// A leaf that is buried in part receives its light on the rest: values are means over all of it, reflectances are
 /// those of the rest.
+///
+/// Importance is light that an eye shines on what it sees: it spreads over the same links, as one more band. What it
+/// is where a node reflects it tells how much the picture gains from light that arrives there.
 class TreeLight {
  public:
   /// The arguments must outlive this. All nodes are leaves yet.
-  TreeLight(const SurfaceTree& tree, const Basis& basis, const RadiosityProblem& problem);
+  /// @param has_importance  the last band of `problem` is importance, not light
+  TreeLight(const SurfaceTree& tree, const Basis& basis, const RadiosityProblem& problem, bool has_importance);
 
   size_t functions() const { return functions_; }
   size_t per_node() const { return per_node_; }
   std::span<const double> radiosity(uint32_t node) const { return {&radiosities[node * per_node_], per_node_}; }
   /// Mean radiosity, weighted over bands.
   double brightness(uint32_t node) const { return brightness_[node]; }
+  /// Beside what is seen, on average; at most 1, and 1 everywhere where there is no view.
+  double importance(uint32_t node) const { return importance_.empty() ? 1 : importance_[node]; }
+  /// Sends light, or importance.
+  bool shines(uint32_t node) const { return brightness_[node] > 0 || (has_importance_ && importance_[node] > 0); }
+  bool has_importance() const { return has_importance_; }
 
   /// Takes nodes that have been cut since into account: their children get the light of their parents.
   void grow();
@@ -34,7 +43,7 @@ class TreeLight {
   /// Radiosities become what emitters send straight.
   void emit_only();
 
-  /// Irradiances of receivers: means over them, with what arrives from lights.
+  /// Irradiances of receivers, without importance: means over them, with what arrives from lights.
   std::vector<double> receivers() const { return receivers(irradiances_); }
   std::vector<double> receivers_before() const { return receivers(before_); }
 
@@ -45,6 +54,8 @@ class TreeLight {
   void reflect(uint32_t leaf);
   std::vector<double> receivers(const std::vector<double>& irradiances) const;
   void pull();
+  void scale_importance();
+  double mean(const std::vector<double>& values, uint32_t node, size_t band) const;
   void push_to_children(uint32_t node, std::vector<double>& irradiances) const;
   std::vector<double> moments(uint32_t leaf, const SurfaceTree::Overlap& overlap) const;
 
@@ -56,8 +67,9 @@ class TreeLight {
   std::vector<double> before_;       // those before the last exchange
   std::vector<double> sources_;      // emitted, and reflected from lights
   std::vector<double> emitted_;
-  std::vector<double> reflectances_;  // [node * bands + band]
-  std::vector<double> brightness_;
+  std::vector<double> reflectances_;             // [node * bands + band]
+  std::vector<double> brightness_, importance_;  // importance_: empty where there is none
+  bool has_importance_;
 };
 
 }  // namespace aktina

@@ -18,6 +18,7 @@ class WaveletSolver final : public RadiositySolver {
     options.most = most_ * std::pow(control.target_error, 5.0 / 3);
     return solve_on_tree(method_, problem, factors, control, options);
   }
+  bool uses_importance() const override { return true; }
 
  private:
   std::string_view method_;
