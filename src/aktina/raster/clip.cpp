@@ -35,16 +35,22 @@ unsigned Clipper::outside(Vec4 clip) const {
 }
 
 int Clipper::clip(const std::array<Vec4, 3>& triangle, std::array<ClipVertex, kMostClippedVertices>& out) const {
+  const unsigned beyond[3] = {outside(triangle[0]), outside(triangle[1]), outside(triangle[2])};
+  if (beyond[0] & beyond[1] & beyond[2]) return 0;
   std::array<ClipVertex, kMostClippedVertices> in;
+  std::array<float, kMostClippedVertices> distances;
   int count = 3;
   for (int v = 0; v < 3; ++v) out[size_t(v)] = {triangle[size_t(v)], Vec3(v == 0, v == 1, v == 2)};
   for (int plane = 0; plane < kPlanes && count > 0; ++plane) {
-    in = out;
+    if (!((beyond[0] | beyond[1] | beyond[2]) >> plane & 1)) continue;
     const int before = count;
+    for (int i = 0; i < before; ++i)
+      in[size_t(i)] = out[size_t(i)], distances[size_t(i)] = distance(plane, in[size_t(i)].clip);
     count = 0;
     for (int i = 0; i < before; ++i) {
-      const ClipVertex &a = in[size_t(i)], &b = in[size_t((i + 1) % before)];
-      const float da = distance(plane, a.clip), db = distance(plane, b.clip);
+      const int next = i + 1 == before ? 0 : i + 1;
+      const ClipVertex &a = in[size_t(i)], &b = in[size_t(next)];
+      const float da = distances[size_t(i)], db = distances[size_t(next)];
       const bool a_in = da >= 0, b_in = db >= 0;
       if (a_in) out[size_t(count++)] = a;
       if (a_in == b_in) continue;

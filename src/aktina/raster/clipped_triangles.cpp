@@ -54,7 +54,7 @@ ScreenVertex ClippedTriangles::place(uint32_t triangle, const ClipVertex& corner
   for (int k = 0; k < 3; ++k) {
     const uint32_t v = list_.index(k)[triangle];
     const ScreenPoint& p = screen_[v];
-    if (corner.barycentric[k] == 1 && p.outside == 0) return {p.x, p.y, p.depth, view_.perspective() ? p.depth : 1};
+    if (corner.barycentric[k] == 1 && !p.to_be_clipped()) return {p.x, p.y, p.depth, view_.perspective() ? p.depth : 1};
   }
   return view_.project(corner.clip);
 }

@@ -69,7 +69,8 @@ HWY_INLINE void turn_of(const I (&x)[3], const I (&y)[3], uint32_t& front, uint3
 HWY_INLINE Verdict judge(const Loaded& t, const View& view) {
   const I none = set(int32_t(0));
   const uint32_t hidden = bits_of(mask(hn::Ne(t.outside[0] & t.outside[1] & t.outside[2], none)));
-  const uint32_t crosses = bits_of(mask(hn::Ne(t.outside[0] | t.outside[1] | t.outside[2], none))) & ~hidden;
+  const I beyond = (t.outside[0] | t.outside[1] | t.outside[2]) & set(ScreenPoint::kClipPlanes);
+  const uint32_t crosses = bits_of(mask(hn::Ne(beyond, none))) & ~hidden;
   uint32_t front = 0, back = 0;
   turn_of(t.x, t.y, front, back);
   const uint32_t meets = meets_pixels(t.x, view.width()) & meets_pixels(t.y, view.height());

@@ -1,5 +1,6 @@
 #include "aktina/raster/item_buffer.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "aktina/base/parallel.h"
@@ -7,10 +8,9 @@
 #include "aktina/raster/visibility.h"
 
 namespace aktina {
-namespace {
 
 /// What one call needs beside the triangles.
-struct ItemFrame {
+struct ItemRasterizer::Frame {
   ScreenVertices screen;
   VisibilityBuffer buffer;
 
@@ -26,6 +26,8 @@ struct ItemFrame {
     });
   }
 };
+
+namespace {
 
 void copy_out(const VisibilityBuffer& from, const View& view, ItemBuffer& out) {
   for (int y = 0; y < out.height; ++y)
@@ -44,14 +46,14 @@ class ItemRasterizer::Frames {
   template <class... Arguments>
   explicit Frames(Arguments&&... arguments) : list(std::forward<Arguments>(arguments)...) {}
 
-  std::unique_ptr<ItemFrame> take() {
+  std::unique_ptr<Frame> take() {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<ItemFrame>();
-    std::unique_ptr<ItemFrame> frame = std::move(free_.back());
+    if (free_.empty()) return std::make_unique<Frame>();
+    std::unique_ptr<Frame> frame = std::move(free_.back());
     free_.pop_back();
     return frame;
   }
-  void give_back(std::unique_ptr<ItemFrame> frame) {
+  void give_back(std::unique_ptr<Frame> frame) {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(frame));
   }
@@ -60,7 +62,7 @@ class ItemRasterizer::Frames {
 
  private:
   std::mutex mutex_;
-  std::vector<std::unique_ptr<ItemFrame>> free_;
+  std::vector<std::unique_ptr<Frame>> free_;
 };
 
 ItemRasterizer::ItemRasterizer(const Scene& scene) : frames_(std::make_unique<Frames>(scene)) {}
@@ -70,18 +72,28 @@ ItemRasterizer::~ItemRasterizer() = default;
 
 uint32_t ItemRasterizer::item_count() const { return frames_->list.triangle_count(); }
 
-void ItemRasterizer::draw(const Camera& camera, int width, int height, ItemBuffer& out, int rows, bool cull) const {
+std::unique_ptr<ItemRasterizer::Frame> ItemRasterizer::drawn(const Camera& camera, int width, int height, int rows,
+                                                             bool cull) const {
   check_picture(camera, width, height);
-  const View view(camera, width, height);
-  out.width = width, out.height = rows > 0 && rows < height ? rows : height;
+  std::unique_ptr<Frame> frame = frames_->take();
+  const FlushDenormals flush;
+  frame->draw(frames_->list, View(camera, width, height), rows > 0 ? std::min(rows, height) : height, cull);
+  return frame;
+}
+
+void ItemRasterizer::draw(const Camera& camera, int width, int height, ItemBuffer& out, int rows, bool cull) const {
+  std::unique_ptr<Frame> frame = drawn(camera, width, height, rows, cull);
+  out.width = width, out.height = frame->buffer.layout.rows;
   const size_t pixels = size_t(out.width) * size_t(out.height);
   out.item.resize(pixels), out.distance.resize(pixels);
-  std::unique_ptr<ItemFrame> frame = frames_->take();
-  {
-    const FlushDenormals flush;
-    frame->draw(frames_->list, view, out.height, cull);
-  }
-  copy_out(frame->buffer, view, out);
+  copy_out(frame->buffer, View(camera, width, height), out);
+  frames_->give_back(std::move(frame));
+}
+
+void ItemRasterizer::look(const Camera& camera, int width, int height, int rows, Look look) const {
+  std::unique_ptr<Frame> frame = drawn(camera, width, height, rows, false);
+  const BlockLayout& layout = frame->buffer.layout;
+  look(layout, {&frame->buffer.seen[0], layout.blocks() * kLanes});
   frames_->give_back(std::move(frame));
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "aktina/base/function_ref.h"
+#include "aktina/raster/block_buffer.h"
 #include "aktina/scene/scene.h"
 
 namespace aktina {
@@ -37,9 +39,14 @@ class ItemRasterizer {
   /// @param cull   triangles seen from their back hide nothing and are not seen
   /// @throws Error limit (size)
   void draw(const Camera& camera, int width, int height, ItemBuffer& out, int rows = 0, bool cull = false) const;
+  /// The same, to be looked at where it is drawn: items in the order of the layout, padding included.
+  using Look = FunctionRef<void(const BlockLayout& layout, std::span<const uint32_t> items)>;
+  void look(const Camera& camera, int width, int height, int rows, Look look) const;
 
  private:
   class Frames;
+  struct Frame;
+  std::unique_ptr<Frame> drawn(const Camera& camera, int width, int height, int rows, bool cull) const;
   std::unique_ptr<Frames> frames_;
 };
 

@@ -8,11 +8,15 @@
 
 namespace aktina {
 
-/// A vertex of a draw list on the screen. Where `outside` is not 0 the others say nothing.
+/// A vertex of a draw list on the screen. Where it is to be clipped the others say nothing.
 struct alignas(16) ScreenPoint {
-  int32_t x, y;     // as ScreenVertex
-  float depth;      // as ScreenVertex; the weight is it, or 1 in a parallel projection
-  int32_t outside;  // bits of the clip planes that the vertex is beyond, as Clipper::outside
+  int32_t x, y;  // as ScreenVertex
+  float depth;   // as ScreenVertex; the weight is it, or 1 in a parallel projection
+  /// Bits of the clip planes that the vertex is beyond, as Clipper::outside; above these, of the picture's four sides,
+  /// a pixel away from it: no reason to clip, but a triangle with all three vertices beyond one is not seen.
+  int32_t outside;
+  static constexpr int32_t kClipPlanes = 63;
+  bool to_be_clipped() const { return outside & kClipPlanes; }
 };
 
 /// Padded to whole groups of kLanes.

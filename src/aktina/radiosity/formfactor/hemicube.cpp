@@ -42,10 +42,24 @@ double DeltaFormFactors::sum(const std::vector<double>& cells) {
 
 namespace {
 
+/// The cells of one face of the cube in the order in which they are drawn; padding counts nothing.
+struct Cells {
+  std::vector<double> each, blocks;  // of a block: the sum
+
+  template <class Delta>
+  Cells(int width, int rows, Delta&& delta) {
+    const BlockLayout layout{0, rows, width};
+    each.resize(layout.blocks() * kLanes), blocks.resize(layout.blocks());
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < width; ++x) each[layout.offset_of_pixel(x, y)] = delta(x, y);
+    for (size_t k = 0; k < each.size(); ++k) blocks[k / kLanes] += each[k];
+  }
+};
+
 class Hemicube final : public FormFactorMethod {
  public:
   Hemicube(int resolution, uint32_t hemicubes, uint32_t seed)
-      : delta_(resolution), total_(delta_.total()), resolution_(resolution), hemicubes_(hemicubes), seed_(seed) {}
+      : Hemicube(DeltaFormFactors(resolution), resolution, hemicubes, seed) {}
 
   void build(const FormFactorScene& scene) override {
     faces_ = Faces(scene);
@@ -71,6 +85,14 @@ class Hemicube final : public FormFactorMethod {
   }
 
  private:
+  Hemicube(const DeltaFormFactors& delta, int resolution, uint32_t hemicubes, uint32_t seed)
+      : top_(resolution, resolution, [&](int x, int y) { return delta.top(x, y); }),
+        side_(resolution, resolution / 2, [&](int x, int y) { return delta.side(x, y); }),
+        total_(delta.total()),
+        resolution_(resolution),
+        hemicubes_(hemicubes),
+        seed_(seed) {}
+
   static Point3d centroid(const Face& face) {
     Point3d sum(0);
     for (const SurfaceSample& s : gauss_points(face.vertices, face.plane.normal, 2)) sum += s.area * s.x;
@@ -104,31 +126,39 @@ class Hemicube final : public FormFactorMethod {
     const Vec3 t = std::cos(angle) * frame.t + std::sin(angle) * frame.b, b = cross(n, t);
     const Point3 eye = rays_.lifted(x, normal);
     std::vector<double> seen(faces_.size(), 0);
-    add(eye, n, b, true, seen);
-    for (const Vec3& side : {t, b, -t, -b}) add(eye, side, n, false, seen);
+    add(eye, n, b, resolution_, top_, seen);
+    for (const Vec3& side : {t, b, -t, -b}) add(eye, side, n, resolution_ / 2, side_, seen);
     for (size_t j = 0; j < seen.size(); ++j)
       seen[j] = faces_[j].plane.height(x) > rounding(faces_[j]) ? seen[j] / total_ : 0;  // backs are not lit
     return seen;
   }
 
   /// One face of the cube, seen along `forward`; of a side only the half above the horizon.
-  void add(Point3 eye, Vec3 forward, Vec3 up, bool top, std::vector<double>& seen) const {
+  void add(Point3 eye, Vec3 forward, Vec3 up, int rows, const Cells& cells, std::vector<double>& seen) const {
     Camera camera;
     camera.to_world = Mat4(Vec4(cross(forward, up), 0), Vec4(up, 0), Vec4(-forward, 0), Vec4(eye, 1));
     camera.vertical_fov = float(kPi / 2), camera.aspect = 1, camera.near = FaceRays::kOffset;
-    thread_local ItemBuffer buffer;
-    const int rows = top ? resolution_ : resolution_ / 2;
-    items_->draw(camera, resolution_, resolution_, buffer, top ? 0 : rows);
-    for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < resolution_; ++x) {
-        const uint32_t item = buffer.item[size_t(y) * size_t(resolution_) + size_t(x)];
-        if (item == ItemBuffer::kNothing) continue;
-        const size_t face = rays_.face_of(item);
-        if (face < faces_.size()) seen[face] += top ? delta_.top(x, y) : delta_.side(x, y);
-      }
+    items_->look(camera, resolution_, resolution_, rows,
+                 [&](const BlockLayout& layout, std::span<const uint32_t> items) {
+                   for (size_t block = 0; block < layout.blocks(); ++block) {
+                     const uint32_t* item = &items[block * kLanes];
+                     const double* cell = &cells.each[block * kLanes];
+                     uint32_t differs = 0;
+                     for (size_t k = 1; k < kLanes; ++k) differs |= item[k] ^ item[0];
+                     if (!differs)
+                       add(item[0], cells.blocks[block], seen);
+                     else
+                       for (size_t k = 0; k < kLanes; ++k) add(item[k], cell[k], seen);
+                   }
+                 });
+  }
+  void add(uint32_t item, double factor, std::vector<double>& seen) const {
+    if (item == ItemBuffer::kNothing) return;
+    const size_t face = rays_.face_of(item);
+    if (face < faces_.size()) seen[face] += factor;
   }
 
-  DeltaFormFactors delta_;
+  Cells top_, side_;
   double total_;  // rows of a closed scene sum to 1 exactly
   int resolution_;
   uint32_t hemicubes_, seed_;
