@@ -6,6 +6,13 @@
 
 namespace aktina {
 
+void PatchBuilder::reserve(size_t patches) {
+  mesh_.positions.reserve(patches), mesh_.places.reserve(patches), mesh_.normals.reserve(patches);
+  mesh_.patches.reserve(patches), mesh_.centres.reserve(patches), mesh_.areas.reserve(patches);
+  mesh_.patch_normals.reserve(patches), mesh_.reflectances.reserve(patches), mesh_.transmittances.reserve(patches);
+  mesh_.emissions.reserve(patches), mesh_.two_sided.reserve(patches);
+}
+
 void PatchBuilder::begin(uint32_t instance, const SourceFaces& faces) {
   faces_ = &faces;
   materials_ = std::make_unique<PatchMaterials>(scene_, scene_.instances[instance], faces);

@@ -17,6 +17,8 @@ class PatchBuilder {
   /// @param most  patches that the mesh may have
   PatchBuilder(PatchMesh& mesh, const Scene& scene, uint64_t most) : mesh_(mesh), scene_(scene), most_(most) {}
 
+  /// About so many patches are to come.
+  void reserve(size_t patches);
   /// The faces that follow are of this instance; `faces` must outlive the calls.
   void begin(uint32_t instance, const SourceFaces& faces);
   uint32_t add_vertex(const SourceFace& face, Point3 p);

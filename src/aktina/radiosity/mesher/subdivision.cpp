@@ -39,6 +39,7 @@ PatchMesh subdivide(const Scene& scene, const SceneFaces& faces, PatchSizes size
   check_count(faces, faces.area(), sizes.patch, most);
   PatchMesh mesh;
   PatchBuilder builder(mesh, scene, most);
+  builder.reserve(size_t(std::min(double(most), 1.1 * faces.area() / (sizes.patch * sizes.patch))));
   const Junctions junctions(faces.points());
   Subdivision subdivision(mesh, builder, sizes, junctions);
   for (size_t i = 0; i < faces.faces.size(); ++i) subdivision.add(faces.instances[i], faces.faces[i]);

@@ -93,14 +93,4 @@ CoarsePatches::Place CoarsePatches::place(size_t patch, Vec2 u) const {
   return {side, all_.point(side, {within, u.y})};
 }
 
-std::vector<double> CoarsePatches::means(std::span<const double> values, size_t bands) const {
-  std::vector<double> out(size() * bands, 0);
-  for (size_t patch = 0; patch < size(); ++patch) {
-    for (const uint32_t s : sides(patch))
-      for (size_t b = 0; b < bands; ++b) out[patch * bands + b] += open_area(s) * values[s * bands + b];
-    for (size_t b = 0; b < bands; ++b) out[patch * bands + b] /= areas_[patch];
-  }
-  return out;
-}
-
 }  // namespace aktina

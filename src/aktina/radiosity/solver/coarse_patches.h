@@ -46,8 +46,19 @@ class CoarsePatches {
   };
   Place place(size_t patch, Vec2 u) const;
 
-  /// Area means of values of sides, in any number of bands, over the sides that count.
-  std::vector<double> means(std::span<const double> values, size_t bands) const;
+  /// Area means of three bands over the sides that count, by patch. @param value  of a side: Rgb
+  template <class Value>
+  std::vector<double> means(const Value& value) const {
+    std::vector<double> out(3 * size(), 0);
+    for (size_t patch = 0; patch < size(); ++patch) {
+      for (const uint32_t s : sides(patch)) {
+        const Rgb v = value(s);
+        for (size_t c = 0; c < 3; ++c) out[3 * patch + c] += open_area(s) * double(v[int(c)]);
+      }
+      for (size_t c = 0; c < 3; ++c) out[3 * patch + c] /= areas_[patch];
+    }
+    return out;
+  }
 
  private:
   void group(double size, const std::vector<float>& open, const Visibility& visibility);

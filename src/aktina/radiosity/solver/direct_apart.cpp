@@ -31,23 +31,26 @@ DirectApart::DirectApart(const Scene& scene, std::span<const LightGroup> groups,
 }
 
 void DirectApart::add_group(const LightGroup& lights, size_t groups, const DirectSources& sources, DirectLight direct) {
-  RadiosityProblem all = sides_.problem();
-  all.emissions = emissions_of_sides(lights, sides_);
-  for (const Rgb lamps : direct.lamps)
-    for (int c = 0; c < 3; ++c) all.arriving.push_back(double(lamps[c]));
-  Group group{std::move(direct.all), all.emitted()};
-  sources.take_out(all.emissions);
-  for (size_t k = 0; k < all.arriving.size(); ++k) all.arriving[k] = double(group.direct[k / 3][int(k % 3)]);
-  const auto put = [&](const std::vector<double>& values, std::vector<double>& into) {
-    if (values.empty()) return;
-    const std::vector<double> means = patches_.means(values, 3);
+  const PatchMesh& mesh = sides_.mesh();
+  Sum emitted;
+  bool passes = false;
+  for (size_t s = 0; s < sides_.size(); ++s) {
+    const uint32_t i = sides_.patch(s);
+    const Rgb taken = direct.lamps[s] * (Rgb(1) - mesh.transmittances[i]);
+    emitted.add(double(mesh.areas[i]) * double(luminance(lights.emission(mesh, i).v + taken)));
+    passes = passes || !is_black(mesh.transmittances[i]);
+  }
+  const auto put = [&](const auto& value, std::vector<double>& into) {
+    const std::vector<double> means = patches_.means(value);
     into.resize(means.size() * groups);
     for (size_t k = 0; k < means.size(); ++k) into[k / 3 * problem_.bands + 3 * groups_.size() + k % 3] = means[k];
   };
-  put(all.reflectances, problem_.reflectances), put(all.passing, problem_.passing);
-  put(all.emissions, problem_.emissions), put(all.arriving, problem_.arriving);
-  problem_.weights.insert(problem_.weights.end(), all.weights.begin(), all.weights.end());
-  groups_.push_back(std::move(group));
+  put([&](size_t s) { return mesh.reflectances[sides_.patch(s)]; }, problem_.reflectances);
+  if (passes) put([&](size_t s) { return mesh.transmittances[sides_.patch(s)]; }, problem_.passing);
+  put([&](size_t s) { return sources.other_emission(s); }, problem_.emissions);
+  put([&](size_t s) { return direct.all[s]; }, problem_.arriving);
+  for (const double weight : {0.2126, 0.7152, 0.0722}) problem_.weights.push_back(weight);  // luminance()
+  groups_.push_back({std::move(direct.all), emitted.value()});
 }
 
 void DirectApart::weigh_groups() {

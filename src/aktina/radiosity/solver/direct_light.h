@@ -7,6 +7,7 @@
 #include "aktina/base/progress.h"
 #include "aktina/radiosity/checkpoint.h"
 #include "aktina/radiosity/solver/light_groups.h"
+#include "aktina/radiosity/solver/sides.h"
 #include "aktina/radiosity/solver/visibility.h"
 
 namespace aktina {

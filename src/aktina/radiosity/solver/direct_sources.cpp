@@ -34,7 +34,7 @@ DirectSources::DirectSources(const LightGroup& lights, const Sides& sides, const
 
 /// The brightest emitters, as large as several coarse patches.
 void DirectSources::find_emitters() {
-  const std::vector<double> means = clusters_.means(emissions_of_sides(lights_, sides_), 3);
+  const std::vector<double> means = clusters_.means([&](size_t s) { return emission(s); });
   const auto exitance = [&](uint32_t i) {
     return Rgb(float(means[3 * i]), float(means[3 * i + 1]), float(means[3 * i + 2]));
   };
@@ -44,7 +44,11 @@ void DirectSources::find_emitters() {
       powers.emplace_back(-power, i);
   std::sort(powers.begin(), powers.end());
   powers.resize(std::min(powers.size(), kMostEmitters));
-  for (const auto& [power, i] : powers) emitters_.push_back(i), exitances_.push_back(exitance(i));
+  taken_.assign(sides_.size(), 0);
+  for (const auto& [power, i] : powers) {
+    emitters_.push_back(i), exitances_.push_back(exitance(i));
+    for (const uint32_t s : clusters_.sides(i)) taken_[s] = 1;
+  }
 }
 
 void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, KeptDirectLight& kept,
@@ -60,11 +64,6 @@ void DirectSources::shine_on(std::span<const uint32_t> of, DirectLight& light, K
   }
   for (size_t i = 0; i < of.size(); ++i)
     light.lamps[of[i]] = on_open(of[i], here.lamps.values[i]), light.all[of[i]] = on_open(of[i], here.all.values[i]);
-}
-
-void DirectSources::take_out(std::vector<double>& emissions) const {
-  for (const uint32_t i : emitters_)
-    for (const uint32_t s : clusters_.sides(i)) std::fill_n(&emissions[3 * s], 3, 0.0);
 }
 
 }  // namespace aktina

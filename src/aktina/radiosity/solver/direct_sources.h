@@ -48,11 +48,12 @@ class DirectSources {
   /// What arrives on the sides `of` replaces what `light` has there. The same values for a side whichever others are
   /// asked for with it.
   void shine_on(std::span<const uint32_t> of, DirectLight& light, KeptDirectLight& kept, Progress* progress) const;
-  /// Takes what these sources emit out of emissions by side.
-  void take_out(std::vector<double>& emissions) const;
+  /// What a side emits beside these sources.
+  Rgb other_emission(size_t side) const { return taken_[side] ? Rgb(0) : emission(side); }
 
  private:
   void find_emitters();
+  Rgb emission(size_t side) const { return lights_.emission(sides_.mesh(), sides_.patch(side)).v; }
   /// Of the mean irradiance of a side, what its open part has.
   Rgb on_open(uint32_t side, Rgb mean) const { return clusters_.partly_open(side) ? mean / open_[side] : mean; }
 
@@ -65,6 +66,7 @@ class DirectSources {
   CoarsePatches clusters_;
   std::vector<uint32_t> emitters_;  // among the clusters
   std::vector<Rgb> exitances_;      // of each of them, lm/m^2
+  std::vector<uint8_t> taken_;      // by side: belongs to one of them
 };
 
 /// m^2

@@ -6,21 +6,6 @@
 
 namespace aktina {
 
-std::vector<Radiosity> LightGroup::emissions(const PatchMesh& mesh) const {
-  std::vector<Radiosity> own = mesh.emissions;
-  for (size_t i = 0; i < own.size(); ++i)
-    if (!emits[mesh.centres[i].instance]) own[i] = Radiosity();
-  return own;
-}
-
-std::vector<double> emissions_of_sides(const LightGroup& lights, const Sides& sides) {
-  const std::vector<Radiosity> own = lights.emissions(sides.mesh());
-  std::vector<double> all;
-  for (size_t s = 0; s < sides.size(); ++s)
-    for (int c = 0; c < 3; ++c) all.push_back(double(own[sides.patch(s)].v[c]));
-  return all;
-}
-
 LightGroup all_lights(const Scene& scene) {
   return {"", scene.lights, scene.environment.shines() ? &scene.environment : nullptr,
           std::vector<uint8_t>(scene.instances.size(), 1)};

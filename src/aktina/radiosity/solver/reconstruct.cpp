@@ -34,6 +34,8 @@ struct Reconstruction::Builder {
 
   void run() {
     make_groups();
+    centres.reserve(mesh.size());
+    out.stencils_.reserve(groups), out.patches_.reserve(4 * groups), out.weights_.reserve(4 * groups);
     for (size_t i = 0; i < mesh.size(); ++i) {
       Point3 sum(0);
       const size_t n = corners(uint32_t(i));
@@ -178,8 +180,13 @@ void reconstruct_vertices(Solution& s) {
   const Reconstruction reconstruction(mesh);
   s.vertex_irradiances = reconstruction.at_vertices(s.irradiances);
   s.vertex_direct_irradiances = reconstruction.at_vertices(s.direct_irradiances);
-  s.vertex_back_irradiances = reconstruction.at_vertices(s.back_irradiances);
-  s.vertex_back_direct_irradiances = reconstruction.at_vertices(s.back_direct_irradiances);
+  if (std::find(mesh.two_sided.begin(), mesh.two_sided.end(), 1) != mesh.two_sided.end()) {
+    s.vertex_back_irradiances = reconstruction.at_vertices(s.back_irradiances);
+    s.vertex_back_direct_irradiances = reconstruction.at_vertices(s.back_direct_irradiances);
+  } else {
+    s.vertex_back_irradiances.assign(mesh.positions.size(), Irradiance());
+    s.vertex_back_direct_irradiances = s.vertex_back_irradiances;
+  }
   // Radiosity jumps where the material does: each vertex has the mean reflectance of its own mesh's patches.
   const size_t n = mesh.positions.size();
   std::vector<Rgb> reflectance(n), emission(n);

@@ -178,7 +178,8 @@ class Run {
     std::vector<LightSolution> solutions;
     for (size_t g = 0; g < groups.size(); ++g) {
       LightSolution& each = solutions.emplace_back(LightSolution{groups[g].name, solution_});
-      each.solution.mesh.emissions = groups[g].emissions(solution_.mesh);
+      for (size_t i = 0; i < solution_.mesh.size(); ++i)
+        each.solution.mesh.emissions[i] = groups[g].emission(solution_.mesh, i);
       take(apart, state, g, sides, each.solution);
       reconstruct_vertices(each.solution);
     }
