@@ -99,16 +99,26 @@ class Grouping {
     std::vector<Point3> corners;
     for (const Sides::Shooter& s : shooters_) corners.insert(corners.end(), s.corners.begin(), s.corners.end());
     const std::vector<uint32_t> same = weld(corners);
-    std::vector<uint64_t> keys;
-    std::unordered_map<uint64_t, uint32_t> seen;
+    struct Corner {
+      uint64_t key;
+      uint32_t vertex, shooter;
+      bool operator<(const Corner& other) const {
+        return key != other.key         ? key < other.key
+               : vertex != other.vertex ? vertex < other.vertex
+                                        : shooter < other.shooter;
+      }
+    };
+    std::vector<Corner> all;
     for (uint32_t i = 0; i < shooters_.size(); ++i) {
       const Sides::Shooter& s = shooters_[i];
-      keys.push_back(key(s, middle_of(s.corners), sides_.mesh().centres[sides_.patch(s.range.first)].instance));
-      for (size_t k = 0; k < 4 && longest_edge(s.corners) <= 0.5f * size_; ++k) {
-        const auto [at, is_new] = seen.try_emplace(keys[i] ^ (uint64_t(same[4 * i + k]) * 0xff51afd7ed558ccdULL), i);
-        if (!is_new && keys[at->second] == keys[i]) sets_.join(at->second, i);
-      }
+      if (longest_edge(s.corners) > 0.5f * size_) continue;
+      const uint64_t own = key(s, middle_of(s.corners), sides_.mesh().centres[sides_.patch(s.range.first)].instance);
+      for (size_t k = 0; k < 4; ++k) all.push_back({own, same[4 * i + k], i});
     }
+    std::sort(all.begin(), all.end());
+    for (size_t k = 1; k < all.size(); ++k)
+      if (all[k].key == all[k - 1].key && all[k].vertex == all[k - 1].vertex)
+        sets_.join(all[k - 1].shooter, all[k].shooter);
   }
 
   /// @param things  by shooter: its set
