@@ -170,8 +170,7 @@ Json MaterialWriter::whole(const Material& m) {
   add_alpha(json, m);
   add_extensions(json, m);
   keep_original(json, m);
-  if (m.classic && !json["extras"]["aktina"].contains("classic"))
-    json["extras"]["aktina"]["classic"] = classic_json(*m.classic);
+  if (m.classic) json["extras"]["aktina"].update(classic_json(*m.classic));
   return json;
 }
 

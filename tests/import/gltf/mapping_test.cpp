@@ -115,6 +115,24 @@ TEST(GltfExtras, LightsThatGltfCannotSay) {
   }
 }
 
+TEST(GltfMaterials, ClassicCoefficientsAloneGiveThePhysicalForm) {
+  GltfFile file;
+  file.triangle();
+  file.json["materials"] = Json::parse(R"([{"doubleSided": true, "extras": {"aktina": {"kd": [0.6, 0.1, 0.2]}}}])");
+  const Material matt = file.read().materials.at(0);
+  EXPECT_EQ(matt.base_colour, Rgb(0.6f, 0.1f, 0.2f));
+  EXPECT_EQ(matt.metallic, 0);
+  EXPECT_EQ(matt.specular_weight, 0);
+  EXPECT_TRUE(matt.double_sided);
+  EXPECT_EQ(matt.classic->ka, matt.classic->kd);
+  EXPECT_EQ(matt.classic->ks, Rgb(0));
+
+  file.json["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}, {"metallicFactor", 0}};
+  const Material both = file.read().materials.at(0);
+  EXPECT_EQ(both.base_colour, Rgb(0.5f)) << "what is stated stands";
+  EXPECT_EQ(both.classic->kd, Rgb(0.6f, 0.1f, 0.2f));
+}
+
 TEST(GltfMaterials, SpecularGlossinessIsADielectricOfThatReflectance) {
   GltfFile file;
   file.triangle();

@@ -95,6 +95,25 @@ TEST(SolveRadiosity, AnyFormFactorMethodGivesTheSameLight) {
   EXPECT_THROW(solve_radiosity(scene, options), Error);
 }
 
+/// A lamp hangs close below the ceiling, which shines: whatever stands before the middle of a large shooter must not
+/// stand before all of it.
+TEST(SolveRadiosity, AnyFormFactorMethodSeesPastWhatHidesTheMiddle) {
+  Scene scene = room({4, 2.5f, 3}, Rgb(0.5f));
+  scene.materials[1].emission = lambertian_radiance(Radiosity(Rgb(100)));
+  add_quad(scene, {1.7f, 2.45f, 1.2f}, {0.6f, 0, 0}, {0, 0, 0.6f}, Rgb(0));
+  RadiosityOptions options{.solver = "matrix", .patch_size = 1, .indirect_size = 0};
+  const auto absorbed = [&](const char* formfactor) {
+    options.formfactor = formfactor;
+    const Solution s = solve_radiosity(scene, options);
+    return s.absorbed / s.emitted;
+  };
+  const double exact = absorbed("contour");
+  EXPECT_GT(exact, 0.93) << "less what ends at the back of the lamp, which is black";
+  EXPECT_LE(exact, 1.0 + 1e-6);
+  for (const char* method : {"analytic", "cubature", "hybrid", "hemicube:hemicubes=16", "monte_carlo"})
+    EXPECT_NEAR(absorbed(method), exact, 0.02) << method;
+}
+
 double median_difference(const Solution& a, const Solution& b) {
   std::vector<double> differences;
   for (size_t i = 0; i < a.irradiances.size(); ++i)

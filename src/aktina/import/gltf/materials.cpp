@@ -44,21 +44,32 @@ void read_extensions(Document& document, const Value& material, Material& m) {
   m.specular_tint_texture = read_texture(document, specular["specularColorTexture"]);
 }
 
-/// extras.aktina: classic coefficients (docs/extras.aktina.schema.json). Those that are not stated follow from the
-/// metallic-roughness form.
-void read_classic(const Value& stated, Material& m) {
+/// The metallic-roughness form of classic coefficients; what else the material says stays.
+void take_physical(const Material& from, Material& m) {
+  m.base_colour = from.base_colour, m.metallic = from.metallic, m.roughness = from.roughness;
+  m.transmission = from.transmission, m.ior = from.ior;
+  m.specular_weight = from.specular_weight, m.specular_tint = from.specular_tint;
+}
+
+/// extras.aktina: classic coefficients (docs/extras.aktina.schema.json). Where the material has a metallic-roughness
+/// form, those that are not stated follow from it; where it has none, it follows from them.
+void read_classic(const Value& stated, bool physical, Material& m) {
   constexpr const char* kNames[] = {"ka", "kd", "ks", "kr", "kt", "exponent", "index"};
   if (std::none_of(std::begin(kNames), std::end(kNames), [&](const char* name) { return bool(stated[name]); })) return;
-  const Surface derived = surface_of(m);
   ClassicMaterial c;
-  c.ka = stated["ka"].rgb(derived.ka), c.kd = stated["kd"].rgb(derived.kd), c.ks = stated["ks"].rgb(derived.ks);
-  c.kr = stated["kr"].rgb(derived.kr), c.kt = stated["kt"].rgb(derived.kt);
+  if (physical) {
+    const Surface derived = surface_of(m);
+    c = {derived.ka, derived.kd, derived.ks, derived.kr, derived.kt, derived.exponent, m.ior};
+  }
+  c.kd = stated["kd"].rgb(c.kd), c.ka = stated["ka"].rgb(physical ? c.ka : c.kd), c.ks = stated["ks"].rgb(c.ks);
+  c.kr = stated["kr"].rgb(c.kr), c.kt = stated["kt"].rgb(c.kt);
   for (const Rgb k : {c.ka, c.kd, c.ks, c.kr, c.kt})
     if (!(min_channel(k) >= 0 && max_channel(k) <= 1)) stated.fail("coefficients should be from 0 to 1");
-  c.exponent = stated["exponent"].real(derived.exponent), c.index = stated["index"].real(m.ior);
+  c.exponent = stated["exponent"].real(c.exponent), c.index = stated["index"].real(c.index);
   if (!(c.exponent >= 0 && c.exponent <= 1e6f)) stated["exponent"].fail("should be from 0 to 1e6");
   if (!(c.index >= 1 && c.index <= 100)) stated["index"].fail("should be from 1 to 100");
   m.classic = c;
+  if (!physical) take_physical(material_of(c), m);
 }
 
 /// KHR_materials_pbrSpecularGlossiness, the older description: a dielectric whose reflectance at normal incidence is
@@ -95,7 +106,10 @@ Material read_material(Document& document, const Value& material) {
   m.double_sided = material["doubleSided"].flag(false);
   read_extensions(document, material, m);
   read_glossiness(document, material, m);
-  read_classic(material.aktina_extras(), m);
+  const bool physical =
+      material["pbrMetallicRoughness"] || material.extension("KHR_materials_pbrSpecularGlossiness") ||
+      material.extension("KHR_materials_transmission") || material.extension("KHR_materials_specular");
+  read_classic(material.aktina_extras(), physical, m);
   m.original = material.json();
   return m;
 }

@@ -33,19 +33,17 @@ RowShots::RowShots(const Sides& sides, std::unique_ptr<FormFactorMethod> method)
   method_->build(scene);
 }
 
+/// Rows of the shooter's patches, by area: what they see differs where something stands close before some of them.
 void RowShots::column(size_t shooter, std::span<double> factors) const {
-  const Sides::Shooter& from = sides_.shooters()[shooter];
-  const auto& c = from.corners;
-  const bool quad = c[2] != c[3];
-  const Point3 middle = quad ? 0.25f * (c[0] + c[1] + c[2] + c[3]) : (c[0] + c[1] + c[2]) * (1.0f / 3);
-  const FormFactorRow row = method_->row(Point3d(middle), Vec3d(from.normal));
-  double area = 0;
-  for (size_t s = from.range.first; s < from.range.first + from.range.count; ++s)
-    area += double(sides_.mesh().areas[s]);
-  for (size_t s = 0; s < factors.size(); ++s) {
-    const bool own = s >= from.range.first && s < from.range.first + from.range.count;
-    factors[s] = own ? 0 : std::clamp(row.factors[s] * area / double(sides_.mesh().areas[s]), 0.0, 1.0);
+  const auto [first, count] = sides_.shooters()[shooter].range;
+  const std::vector<float>& areas = sides_.mesh().areas;
+  std::fill(factors.begin(), factors.end(), 0.0);
+  for (size_t i = first; i < first + count; ++i) {
+    const FormFactorRow row = method_->row(i);
+    for (size_t s = 0; s < factors.size(); ++s) factors[s] += row.factors[s] * double(areas[i]) / double(areas[s]);
   }
+  for (size_t s = 0; s < factors.size(); ++s)
+    factors[s] = s >= first && s < first + count ? 0 : std::clamp(factors[s], 0.0, 1.0);
 }
 
 bool is_ray_cast(std::string_view formfactor) { return parse_method(formfactor).id == "ray_cast"; }
