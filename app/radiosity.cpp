@@ -49,20 +49,18 @@ Dimmed read_dimmed(const std::string& text) {
   return dimmed;
 }
 
-/// @throws Error usage (no such light)
-std::vector<DimmedLight> dimmed(std::span<const LightRadiosities> lights, const std::vector<std::string>& texts) {
-  std::vector<DimmedLight> all;
-  std::vector<std::string_view> names;
-  for (const LightRadiosities& each : lights) all.push_back({each.light, &each.result, 1}), names.push_back(each.light);
+/// One for each light. @throws Error usage (no such light)
+std::vector<double> factors_of(const std::vector<std::string>& names, const std::vector<std::string>& texts) {
+  std::vector<double> factors(names.size(), 1);
   for (const std::string& text : texts) {
     const Dimmed dimmed = read_dimmed(text);
     const auto found = std::find(names.begin(), names.end(), dimmed.light);
     if (found == names.end())
       throw Error(Code::usage, "--dim", fmt::format("the scene has no light '{}'", dimmed.light),
                   fmt::format("it has: {}", fmt::join(names, ", ")));
-    all[size_t(found - names.begin())].factor = dimmed.factor;
+    factors[size_t(found - names.begin())] = dimmed.factor;
   }
-  return all;
+  return factors;
 }
 
 /// room.vtu -> room.desk_lamp.vtu
@@ -106,12 +104,15 @@ int run(const Arguments& arguments, Session& session) {
   const LoadedScene loaded = load(arguments, session);
   RadiosityOptions options = radiosity_options(arguments, loaded.scene);
   options.checkpoint = checkpoint;
+  const std::vector<double> factors = factors_of(light_names(loaded.scene), arguments.all("dim"));
   session.begin_work();
   if (arguments.given("each-light")) return run_each_light(loaded, options, outputs, session);
   Radiosities result;
   if (arguments.given("dim")) {
     const std::vector<LightRadiosities> lights = solve_lights(loaded.scene, options, session.progress());
-    result = mix(dimmed(lights, arguments.all("dim")));
+    std::vector<DimmedLight> dimmed;
+    for (size_t k = 0; k < lights.size(); ++k) dimmed.push_back({lights[k].light, &lights[k].result, factors[k]});
+    result = mix(dimmed);
   } else {
     result = solve(loaded.scene, options, session.progress());
   }

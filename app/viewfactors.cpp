@@ -46,6 +46,9 @@ ViewFactorJob job_of(const Arguments& arguments, const ViewFactorScene& scene) {
   job.options.scratch = arguments.text("scratch");
   job.repair = arguments.given("repair");
   job.gray_body = arguments.given("gray-body");
+  for (const char* option : {"surfaces", "emissivity", "surroundings"})
+    if (!job.gray_body && arguments.given(option))
+      throw Error(Code::usage, fmt::format("--{}", option), "has no effect without --gray-body");
   job.surroundings = arguments.number("surroundings");
   if (!job.gray_body) return job;
   job.bodies = gray_bodies(scene, arguments.number("emissivity"));

@@ -58,6 +58,8 @@ struct LightSolution {
   std::string name;
   Solution solution;  // on the same patches for all; what others emit is 0
 };
+/// As solve_each_light() calls them, in its order.
+std::vector<std::string> light_names(const Scene& scene);
 /// Each light of the scene by itself, on one set of patches, form factors or links: lights to be dimmed, suns to be
 /// moved. Lamps, objects and the sky ("environment") by name, those of one name together. As solve_radiosity() for the
 /// rest; `each_step` is not called.

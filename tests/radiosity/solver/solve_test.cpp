@@ -339,5 +339,19 @@ TEST(LitScene, RefusesASolutionOfAnotherScene) {
       testing::ThrowsMessage<Error>(testing::HasSubstr("another scene")));
 }
 
+TEST(LitScene, UnlitMaterialsStayAsTheyAre) {
+  Scene scene;
+  add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.5f));
+  scene.materials[0].unlit = true, scene.materials[0].base_colour = {0.2f, 0.4f, 0.6f};
+  scene.cameras.push_back(look_at({0.5f, 0.5f, 1}, {0.5f, 0.5f, 0}, {0, 1, 0}, 0.5f));
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.5});
+  const Scene lit = lit_scene(scene, s);
+  EXPECT_EQ(lit.materials[size_t(lit.meshes[0].material)].base_colour, Rgb(0.2f, 0.4f, 0.6f));
+  const LayeredImage picture = render_solution(scene, s, scene.cameras[0], 8, 8);
+  const float* middle = &picture.layers[0].image.pixels[3 * (4 * 8 + 4)];
+  EXPECT_NEAR(middle[0], 0.2f, 1e-4f);
+  EXPECT_NEAR(middle[2], 0.6f, 1e-4f);
+}
+
 }  // namespace
 }  // namespace aktina

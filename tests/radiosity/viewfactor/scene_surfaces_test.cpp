@@ -25,6 +25,12 @@ TEST(Outline, OfARingOrOfPartsThatTouchIsNone) {
   EXPECT_THAT(outline_of(Triangles{{0, 1, 2}, {3, 4, 5}}), IsEmpty()) << "apart";
 }
 
+Mat4 raised(float z) {
+  Mat4 m(1);
+  m[3].z = z;
+  return m;
+}
+
 /// A square in z = 0 as two triangles, the second of material 1, with or without their polygon.
 Scene square(bool stated) {
   Scene scene;
@@ -68,8 +74,8 @@ TEST(SurfacesOf, ByMaterialOverAllObjects) {
   scene.materials.resize(2);
   scene.materials[0].name = "paint";
   scene.instances[0].material = 0;
-  scene.instances.push_back({.mesh = 0, .material = 1});
-  scene.instances.push_back({.mesh = 0, .material = 0});
+  scene.instances.push_back({.mesh = 0, .material = 1, .to_world = raised(1)});
+  scene.instances.push_back({.mesh = 0, .material = 0, .to_world = raised(2)});
   const ViewFactorScene surfaces = surfaces_of(scene, SurfacesBy::material);
   EXPECT_THAT(surfaces.names, ElementsAre("paint", "material 1"));
   EXPECT_THAT(surfaces.owners, ElementsAre(0, 1, 0));
@@ -90,7 +96,7 @@ TEST(SurfacesOf, BacksOfTwoSidedMaterialsTakePartWhereAsked) {
   scene.meshes[0].triangles.push_back({4, 5, 6});
   scene.materials.resize(2);
   scene.materials[1].double_sided = true;
-  scene.instances = {{.mesh = 0, .material = 1}, {.mesh = 0, .material = 0}};
+  scene.instances = {{.mesh = 0, .material = 1}, {.mesh = 0, .material = 0, .to_world = raised(1)}};
   scene.meshes[0].name = "plate";
   const ViewFactorScene surfaces = surfaces_of(scene, SurfacesBy::face, Backs::see);
   EXPECT_THAT(surfaces.names, ElementsAre("plate:0", "plate:0/back", "plate:1", "plate:1/back", "plate:0", "plate:1"));
@@ -98,6 +104,19 @@ TEST(SurfacesOf, BacksOfTwoSidedMaterialsTakePartWhereAsked) {
   EXPECT_LT(newell_normal(surfaces.pieces[1]).z, 0);
   EXPECT_THAT(surfaces_of(scene, SurfacesBy::object, Backs::see).owners, ElementsAre(0, 0, 0, 0, 1, 1));
   EXPECT_EQ(surfaces_of(scene, SurfacesBy::face).pieces.size(), 4U);
+}
+
+TEST(SurfacesOf, WhatStandsTwiceInOnePlaceCountsOnce) {
+  Scene scene = square(true);
+  Mesh again = scene.meshes[0];
+  again.positions = {{1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
+  scene.meshes.push_back(again);
+  std::swap(again.triangles[0][0], again.triangles[0][1]), std::swap(again.triangles[1][0], again.triangles[1][1]);
+  scene.meshes.push_back(again);  // its back
+  scene.instances = {{.mesh = 0}, {.mesh = 1}, {.mesh = 2}};
+  const ViewFactorScene surfaces = surfaces_of(scene, SurfacesBy::face);
+  EXPECT_EQ(surfaces.pieces.size(), 2U);
+  EXPECT_FALSE(surfaces.warnings.empty());
 }
 
 TEST(SurfacesOf, NothingWithAnAreaIsAnError) {

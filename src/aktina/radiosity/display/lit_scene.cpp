@@ -18,7 +18,7 @@ Material unlit_material(const Material& m) {
   lit.alpha = m.alpha, lit.alpha_mode = m.alpha_mode, lit.alpha_cutoff = m.alpha_cutoff;
   if (m.emits()) return lit;  // vertex colours carry the radiance
   lit.base_texture = m.base_texture;
-  lit.base_colour = matt_reflectance(m);
+  lit.base_colour = m.unlit ? m.base_colour : matt_reflectance(m);
   return lit;
 }
 
@@ -34,6 +34,7 @@ class LitMesh {
       : solution_(solution),
         source_(scene.meshes[size_t(scene.instances[instance].mesh)]),
         emits_(scene.material_of(scene.instances[instance]).emits()),
+        unlit_(scene.material_of(scene.instances[instance]).unlit),
         to_local_(glm::inverse(scene.instances[instance].to_world)),
         normal_to_local_(glm::transpose(Mat3(scene.instances[instance].to_world))),
         mirrored_(glm::determinant(Mat3(scene.instances[instance].to_world)) < 0) {
@@ -85,16 +86,17 @@ class LitMesh {
     return at->second;
   }
 
-  /// H / pi; of what emits, its whole radiance.
+  /// H / pi; of what emits, its whole radiance; of what is unlit already, nothing more than it is.
   Rgb colour(uint32_t v, bool back) const {
     const Rgb h = (back ? solution_.vertex_back_irradiances : solution_.vertex_irradiances)[v].v;
+    if (unlit_ && !emits_) return Rgb(1);
     if (!emits_) return h * float(kInvPi);
     return lambertian_radiance(solution_.vertex_radiosities[v]).v;
   }
 
   const Solution& solution_;
   const Mesh& source_;
-  bool emits_;
+  bool emits_, unlit_;
   Mat4 to_local_;
   Mat3 normal_to_local_;
   bool mirrored_;

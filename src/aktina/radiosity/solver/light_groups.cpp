@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "aktina/radiosity/solve.h"
+
 namespace aktina {
 
 LightGroup all_lights(const Scene& scene) {
@@ -11,7 +13,7 @@ LightGroup all_lights(const Scene& scene) {
           std::vector<uint8_t>(scene.instances.size(), 1)};
 }
 
-std::vector<LightGroup> each_light(const Scene& scene, const PatchMesh& mesh) {
+std::vector<LightGroup> each_light(const Scene& scene) {
   std::vector<LightGroup> groups;
   const auto group = [&](std::string name) -> LightGroup& {
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const LightGroup& g) { return g.name == name; });
@@ -24,16 +26,20 @@ std::vector<LightGroup> each_light(const Scene& scene, const PatchMesh& mesh) {
   };
   for (size_t i = 0; i < scene.lights.size(); ++i)
     group(called(scene.lights[i].name, "lamp", i)).lamps.push_back(scene.lights[i]);
-  std::vector<uint8_t> emits(scene.instances.size(), 0);
-  for (size_t i = 0; i < mesh.size(); ++i)
-    if (!is_black(mesh.emissions[i].v)) emits[mesh.centres[i].instance] = 1;
-  for (size_t i = 0; i < emits.size(); ++i) {
-    if (!emits[i]) continue;
-    const int node = scene.instances[i].node;
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (!scene.material_of(instance).emits() || (instance.mesh < 0 && instance.primitive < 0)) continue;
+    const int node = instance.node;
     group(called(node >= 0 ? scene.nodes[size_t(node)].name : "", "object", i)).emits[i] = 1;
   }
   if (scene.environment.shines()) group("environment").sky = &scene.environment;
   return groups;
+}
+
+std::vector<std::string> light_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (LightGroup& group : each_light(scene)) names.push_back(std::move(group.name));
+  return names;
 }
 
 }  // namespace aktina

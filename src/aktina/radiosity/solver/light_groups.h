@@ -27,6 +27,6 @@ struct LightGroup {
 LightGroup all_lights(const Scene& scene);
 /// Each lamp, each object that emits and the sky apart, in this order; those of one name together. Nameless ones are
 /// called "lamp 0", "object 0" by their number, the sky "environment".
-std::vector<LightGroup> each_light(const Scene& scene, const PatchMesh& mesh);
+std::vector<LightGroup> each_light(const Scene& scene);
 
 }  // namespace aktina

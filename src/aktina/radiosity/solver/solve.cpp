@@ -169,7 +169,7 @@ class Run {
     KeptDirectLight kept(control_.checkpoint);
     refine(kept);
     const Sides sides(solution_.mesh);
-    const std::vector<LightGroup> groups = aktina::each_light(*scene_, solution_.mesh);
+    const std::vector<LightGroup> groups = aktina::each_light(*scene_);
     if (groups.size() > kMostLights)
       throw Error(Code::limit, "each light", fmt::format("{} lights", groups.size()),
                   fmt::format("at most {}: give those that are dimmed together one name", kMostLights));

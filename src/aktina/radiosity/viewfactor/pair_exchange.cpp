@@ -251,17 +251,20 @@ Estimate PairExchange<T>::past_blockers(uint32_t r, uint32_t s, Estimate open) {
   const double smaller = std::min(fragment(*receiver_, r).face.area, fragment(*source_, s).face.area);
   const double wanted = 0.25 * setting_.target * smaller / open.value;  // of the visible share
   Estimate share{0, 1};
-  if (!crowded_ && blockers_between_ <= kMostClipped) {
+  const auto improve = [&](Estimate other) {
+    if (other.error < share.error) share = other;
+  };
+  const bool clippable = !crowded_ && blockers_between_ <= kMostClipped;
+  const auto clipped = [&](bool exact) {
     if (!cells_set_) set_cells(r);
-    share = visible_share_by_clipping<T>(
-        {parts_[s], receiver_->plane.normal, setting_.tolerance, between_, contours_between_}, cells_, wanted,
-        wanted < kRayError);
-  }
-  if (share.error > wanted) {
-    const Estimate sent = setting_.rays.visible_share(part_, receiver_->plane.normal, parts_[s], source_->plane.normal,
-                                                      wanted, hash_combine(receiver_->first + r, source_->first + s));
-    if (sent.error < share.error) share = sent;
-  }
+    return visible_share_by_clipping<T>(
+        {parts_[s], receiver_->plane.normal, setting_.tolerance, between_, contours_between_}, cells_, wanted, exact);
+  };
+  if (clippable) improve(clipped(wanted < kRayError));
+  if (share.error > wanted)
+    improve(setting_.rays.visible_share(part_, receiver_->plane.normal, parts_[s], source_->plane.normal, wanted,
+                                        hash_combine(receiver_->first + r, source_->first + s)));
+  if (clippable && share.error > wanted && wanted >= kRayError) improve(clipped(true));
   if (share.value > 1) {
     ++held_->count;
     held_->largest_excess = std::max(held_->largest_excess, open.value * (share.value - 1) / smaller);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "aktina/base/error.h"
 #include "aktina/radiosity/formfactor/face.h"
@@ -39,6 +40,7 @@ class Collector {
     if (std::all_of(result_.transmittances.begin(), result_.transmittances.end(), [](double t) { return t == 0; }))
       result_.transmittances.clear();
     result_.warnings.add("polygons without area were left out", empty_);
+    result_.warnings.add("polygons where there is one already were left out", doubled_);
     result_.warnings.add("polygons that are not planar or have holes were taken as several triangles", cut_);
     if (result_.pieces.empty()) throw Error(Code::bad_input, scene_.source, "has no surface with an area");
     return std::move(result_);
@@ -68,12 +70,29 @@ class Collector {
       pieces_.clear();
       cut(face);
       const size_t number = faces_of_[object]++;
-      if (pieces_.empty()) continue;
+      if (pieces_.empty() || is_there_already()) continue;
       add_pieces(surface(instance, mesh, object, name, {object, number, false}));
       if (!both_sides) continue;
       for (Polygon& piece : pieces_) std::reverse(piece.vertices.begin(), piece.vertices.end());
       add_pieces(surface(instance, mesh, object, name, {object, number, true}));
     }
+  }
+
+  /// A polygon with the same corners in the same order, wherever it begins: light would arrive at both.
+  bool is_there_already() {
+    std::vector<std::array<double, 3>> key;
+    for (const Polygon& piece : pieces_) {
+      const std::vector<Point3d>& v = piece.vertices;
+      const auto less = [](Point3d a, Point3d b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; };
+      const auto begin = size_t(std::min_element(v.begin(), v.end(), less) - v.begin());
+      for (size_t k = 0; k < v.size(); ++k) {
+        const Point3d& p = v[(begin + k) % v.size()];
+        key.push_back({p.x, p.y, p.z});
+      }
+    }
+    const bool known = !there_.insert(std::move(key)).second;
+    doubled_ += known;
+    return known;
   }
 
   void add_pieces(uint32_t owner) {
@@ -186,7 +205,8 @@ class Collector {
   std::map<int64_t, uint32_t> groups_;
   std::map<int64_t, size_t> faces_of_;  // of each object
   std::vector<Number> numbers_;         // of each surface, by face
-  uint64_t empty_ = 0, cut_ = 0;
+  std::set<std::vector<std::array<double, 3>>> there_;
+  uint64_t empty_ = 0, cut_ = 0, doubled_ = 0;
 };
 
 }  // namespace

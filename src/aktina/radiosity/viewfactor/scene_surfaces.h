@@ -19,7 +19,7 @@ enum class Clear : uint8_t { hide, pass };
 /// only triangles: two consecutive ones that make a parallelogram, else one), each object or each material. Names are
 /// the file's: "wall", or "wall:3" for polygon 3 of an object with several. Coordinates in metres, world.
 /// Polygons that have holes, cross themselves or are not planar become surfaces of several triangles; those without
-/// area are left out and counted.
+/// area, and those that stand where there is one already, are left out and counted.
 /// With Backs::see the backs of two-sided materials take part: by face as surfaces "wall/back" of their own after each
 /// front, else with their object or material, whose area is then that of both sides.
 /// @throws Error bad_input (nothing with an area), limit (more than 2^31 pieces)

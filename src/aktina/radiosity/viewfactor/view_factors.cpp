@@ -70,8 +70,9 @@ ViewFactors find_all(const ViewFactorScene& scene, bool clear, const ViewFactorO
   const Ownership ownership(scene, faces, finder.leaves());
   if (progress) progress->begin("view factors", "leaves", finder.leaves().leaves.size());
   const Exchanges exchanges = finder.find(folder, progress);
-  if (exchanges.complete == 0) throw Error(Code::cancelled, "view factors", "stopped before a row was complete");
   if (exchanges.complete < exchanges.lists.size()) result.complete = ownership.within(exchanges.complete);
+  if (!result.complete.empty() && !std::count(result.complete.begin(), result.complete.end(), 1))
+    throw Error(Code::cancelled, "view factors", "stopped before a row was complete");
   result.names = scene.names, result.areas = ownership.areas();
   result.largest_excess = exchanges.largest_excess, result.held = exchanges.held;
   for (const uint64_t count : count_rows(ownership, exchanges)) result.starts.push_back(result.starts.back() + count);
