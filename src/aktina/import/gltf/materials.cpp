@@ -106,9 +106,9 @@ Material read_material(Document& document, const Value& material) {
   m.double_sided = material["doubleSided"].flag(false);
   read_extensions(document, material, m);
   read_glossiness(document, material, m);
-  const bool physical =
-      material["pbrMetallicRoughness"] || material.extension("KHR_materials_pbrSpecularGlossiness") ||
-      material.extension("KHR_materials_transmission") || material.extension("KHR_materials_specular");
+  const bool physical = material["pbrMetallicRoughness"] || material.extension("KHR_materials_pbrSpecularGlossiness") ||
+                        material.extension("KHR_materials_transmission") ||
+                        material.extension("KHR_materials_specular");
   read_classic(material.aktina_extras(), physical, m);
   m.original = material.json();
   return m;
