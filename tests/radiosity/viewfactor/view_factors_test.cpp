@@ -193,6 +193,21 @@ TEST(ViewFactors, WhatDoesNotFitGoesIntoFilesOfAFolderAndLeavesNothingThere) {
   }
 }
 
+/// A chip a little above a large floor, with more sticks about it than can be cut out: rays over all of the floor would
+/// mostly look where the chip's light does not arrive.
+TEST(ViewFactors, SmallThingsCloseToLargeOnesAmongManyBlockers) {
+  std::vector<Polygon> all = box(4, 4, 2.5);
+  const size_t chip = all.size();
+  for (const Polygon& p : box(0.05, 0.05, 0.002)) all.push_back(moved(turned_over(p), {2, 2, 0.03}));
+  for (int k = 0; k < 90; ++k) {
+    const double angle = 0.7 * k, r = 0.06 + 0.002 * k;
+    for (const Polygon& p : box(0.003, 0.003, 0.05))
+      all.push_back(moved(turned_over(p), {2.025 + r * std::cos(angle), 2.025 + r * std::sin(angle), 0.001}));
+  }
+  const ViewFactors f = view_factors(one_each(all), {.target_error = 1e-3});
+  for (size_t i = chip; i < chip + 6; ++i) EXPECT_NEAR(f.row_sum(i), 1, 0.02) << i;
+}
+
 TEST(Repair, ClosesRowsAndKeepsReciprocityAndZeros) {
   ViewFactors f = view_factors(room_with_box(), {});
   for (size_t k = 0; k < f.factors.size(); ++k) f.factors[k] *= 1 + 1e-3 * std::sin(double(k));

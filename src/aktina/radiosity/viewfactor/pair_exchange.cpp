@@ -262,8 +262,8 @@ Estimate PairExchange<T>::past_blockers(uint32_t r, uint32_t s, Estimate open) {
   };
   if (clippable) improve(clipped(wanted < kRayError));
   if (share.error > wanted)
-    improve(setting_.rays.visible_share(part_, receiver_->plane.normal, parts_[s], source_->plane.normal, wanted,
-                                        hash_combine(receiver_->first + r, source_->first + s)));
+    improve(setting_.rays.visible_share({part_, receiver_->plane.normal}, {parts_[s], source_->plane.normal},
+                                        open.value, wanted, hash_combine(receiver_->first + r, source_->first + s)));
   if (clippable && share.error > wanted && wanted >= kRayError) improve(clipped(true));
   if (share.value > 1) {
     ++held_->count;

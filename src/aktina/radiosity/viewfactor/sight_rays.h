@@ -13,10 +13,16 @@ class SightRays {
     if (wanted) rays_.build(faces);
   }
 
-  /// The visible share of the unobstructed exchange between convex parts of two surfaces, and its error.
-  /// @param wanted  error of the share at which to stop
-  Estimate visible_share(std::span<const Point3d> receiver, Vec3d receiver_normal, std::span<const Point3d> source,
-                         Vec3d source_normal, double wanted, uint32_t seed) const;
+  /// A convex part of a surface.
+  struct Part {
+    std::span<const Point3d> corners;
+    Vec3d normal;
+  };
+  /// The visible share of the unobstructed exchange between two parts, and its error.
+  /// @param exchange  the unobstructed exchange, m^2: a small part that sees much of a large one sends rays by the
+  ///                  cosine, for places evenly over the large one are mostly far away
+  /// @param wanted    error of the share at which to stop
+  Estimate visible_share(const Part& receiver, const Part& source, double exchange, double wanted, uint32_t seed) const;
 
  private:
   bool built_;
