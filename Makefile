@@ -3,7 +3,7 @@ BUILD ?= build
 CMAKE_FLAGS ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: all setup configure demo check test bench fuzz install lint format docs clean
+.PHONY: all setup setup-tests configure demo check test bench fuzz install lint format docs clean
 
 all: configure
 	@cmake --build $(BUILD) -j$(JOBS)
@@ -11,16 +11,19 @@ all: configure
 setup:
 	@scripts/setup.sh
 
+setup-tests:
+	@scripts/setup.sh --tests
+
 configure: setup
 	@[ -f $(BUILD)/build.ninja ] || cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release $(CMAKE_FLAGS)
 
 demo: all
 	@scripts/demo.sh $(BUILD) out
 
-check: all
+check: setup-tests all
 	@scripts/check.sh $(BUILD)
 
-test: all
+test: setup-tests all
 	@ctest --test-dir $(BUILD) --output-on-failure -j$(JOBS)
 
 bench: all

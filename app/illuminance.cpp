@@ -140,6 +140,9 @@ constexpr Option kOptions[] = {
     kUnits,
     kNormals,
     kCrease,
+    kEnvironment,
+    kEnvironmentScale,
+    kEnvironmentRotation,
 };
 constexpr Example kExamples[] = {
     {"average and uniformity on desks, with a plan in false colours",

@@ -14,9 +14,13 @@ LoadedScene load(const Arguments& arguments, const Session& session) {
   Stopwatch watch;
   LoadedScene loaded;
   const std::string& normals = arguments.text("normals");
-  loaded.scene = load_scene(arguments.text("scene"), {.metres_per_unit = arguments.number("units"),
-                                                      .normals = normals == "file" ? "" : normals,
-                                                      .crease = float(arguments.number("crease") * kPi / 180)});
+  loaded.scene = load_scene(arguments.text("scene"),
+                            {.metres_per_unit = arguments.number("units"),
+                             .normals = normals == "file" ? "" : normals,
+                             .crease = float(arguments.number("crease") * kPi / 180),
+                             .environment = arguments.text("environment"),
+                             .environment_scale = arguments.number("environment-scale"),
+                             .environment_rotation = arguments.number("environment-rotation") * kPi / 180});
   loaded.seconds = watch.lap();
   session.show_warnings(loaded.scene.warnings);
   return loaded;

@@ -53,6 +53,27 @@ inline constexpr Option kCrease = {.name = "crease",
                                    .min = 0,
                                    .max = 180};
 
+inline constexpr Option kEnvironment = {.name = "environment",
+                                        .help =
+                                            "a picture of the surroundings, equirectangular, that shines on the "
+                                            "scene in place of its own: .hdr, .exr, .png, .jpg, .webp",
+                                        .kind = Kind::file,
+                                        .value = "FILE"};
+inline constexpr Option kEnvironmentScale = {.name = "environment-scale",
+                                             .help = "from its values to cd/m^2",
+                                             .kind = Kind::number,
+                                             .value = "X",
+                                             .fallback = "1",
+                                             .min = 0,
+                                             .max = 1e9};
+inline constexpr Option kEnvironmentRotation = {.name = "environment-rotation",
+                                                .help = "about the vertical, in degrees",
+                                                .kind = Kind::number,
+                                                .value = "DEGREES",
+                                                .fallback = "0",
+                                                .min = -360,
+                                                .max = 360};
+
 inline constexpr Option kSeed = {.name = "seed",
                                  .help = "of the random numbers",
                                  .kind = Kind::whole,
@@ -133,6 +154,9 @@ inline constexpr Option kRadiosityOptions[] = {
     kUnits,
     kNormals,
     kCrease,
+    kEnvironment,
+    kEnvironmentScale,
+    kEnvironmentRotation,
 };
 /// @throws Error usage (the scene has no such camera)
 RadiosityOptions radiosity_options(const Arguments& arguments, const Scene& scene);

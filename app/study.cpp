@@ -159,6 +159,9 @@ constexpr Option kStudyOptions[] = {
     kUnits,
     kNormals,
     kCrease,
+    kEnvironment,
+    kEnvironmentScale,
+    kEnvironmentRotation,
 };
 constexpr Example kExamples[] = {
     {"every shading method on a model", "aktina study teapot.obj -o report/"},

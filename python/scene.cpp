@@ -50,14 +50,18 @@ Mat4 transform_from(const py::dict& dict) {
 }
 
 /// A picture of (height, width, 3) linear floats.
-int add_image(Scene& scene, const py::buffer& pixels) {
-  const Rows<const float> rows(pixels, 3, "texture");
+Image image_from(const py::buffer& pixels, const char* name) {
+  const Rows<const float> rows(pixels, 3, name);
   const py::buffer_info info = pixels.request();
-  if (info.ndim != 3) throw Error(Code::usage, "texture", "has not the shape (height, width, 3)");
+  if (info.ndim != 3) throw Error(Code::usage, name, "has not the shape (height, width, 3)");
   Image image(int(info.shape[1]), int(info.shape[0]), 3);
   std::copy_n(rows.data(), image.pixels.size(), image.pixels.begin());
+  return image;
+}
+
+int add_image(Scene& scene, const py::buffer& pixels) {
   TextureImage texture;
-  texture.pixels = std::move(image);
+  texture.pixels = image_from(pixels, "texture");
   scene.images.push_back(std::move(texture));
   return int(scene.images.size()) - 1;
 }
@@ -140,6 +144,11 @@ void set_surroundings(Scene& scene, const py::dict& dict) {
   reader.expect_all_read();
 }
 
+/// @param picture  (H, W, 3), rows from the top: radiance, cd/m^2
+void set_sky(Scene& scene, const py::buffer& picture, float rotation) {
+  scene.environment = {image_from(picture, "sky"), Radiance(Rgb(1)), rotation};
+}
+
 std::vector<Ray> rays_from(const py::buffer& origins, const py::buffer& directions, float near, float far) {
   const Rows<const float> origin(origins, 3, "origins"), direction(directions, 3, "directions");
   std::vector<Ray> rays(std::max(origin.size(), direction.size()));
@@ -185,9 +194,14 @@ void radiance_along(const SceneHandle& scene, const py::buffer& origins, const p
     for (int k = 0; k < 3; ++k) result.row(i)[k] = light[i].v[k];
 }
 
-SceneHandle load(const std::string& path, const std::string& normals, float crease) {
+SceneHandle load(const std::string& path, const std::string& normals, float crease, const std::string& environment,
+                 double scale, double rotation) {
   const py::gil_scoped_release without_lock;
-  return std::make_shared<Scene>(load_scene(path, {.normals = normals, .crease = crease}));
+  return std::make_shared<Scene>(load_scene(path, {.normals = normals,
+                                                   .crease = crease,
+                                                   .environment = environment,
+                                                   .environment_scale = scale,
+                                                   .environment_rotation = rotation}));
 }
 
 }  // namespace
@@ -197,6 +211,7 @@ void bind_scene(py::module_& m) {
       .def(py::init<>())
       .def("add_object", &add_object)
       .def("add_light", &add_light)
+      .def("set_sky", &set_sky)
       .def("add_camera", &add_camera)
       .def("set_surroundings", &set_surroundings)
       .def_property_readonly("triangles", &triangle_count)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what Aktina builds with, and says so first. Does nothing where everything is there already.
-# Debian 12; as root, or as a user with sudo.
+# Installs what Aktina builds with, and says so first; with --tests also what tests of baked models run. Does nothing
+# where everything is there already. Debian 12; as root, or as a user with sudo.
 set -eu
+tests=${1:-}
 
 packages=(
   # build
@@ -18,9 +19,9 @@ packages=(
   clang clang-format clang-tidy libclang-rt-14-dev
   # the comparison against Mesa in `make bench`, and graphics hardware
   libegl-dev libepoxy-dev libgl1-mesa-dri libegl-mesa0
-  # the Khronos glTF validator and three.js (npm) that tests of baked models run
-  nodejs npm
 )
+# the Khronos glTF validator and three.js (npm)
+[ -z "$tests" ] || packages+=(nodejs npm)
 
 installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
 missing=()
@@ -46,6 +47,7 @@ if [ ${#missing[@]} -gt 0 ]; then
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 fi
 
+[ -n "$tests" ] || exit 0
 # The validator and three.js go into node_modules/ here, where the tests look for them. Tests that show models in a
 # browser run where chromium is installed.
 here=$(cd "$(dirname "$0")/.." && pwd)
@@ -56,5 +58,8 @@ for package in "${packages[@]}"; do
 done
 if [ ${#wanted[@]} -gt 0 ]; then
   echo "Aktina's tests need the Khronos glTF validator and three.js (npm) and will install them now:  ${wanted[*]}"
-  npm install --prefix "$here" --no-save --no-package-lock --no-audit --no-fund --silent "${wanted[@]}"
+  npm install --prefix "$here" --no-save --no-package-lock --no-audit --no-fund --loglevel=error "${wanted[@]}" >/dev/null || {
+    echo "error: npm could not install them: is its registry within reach?" >&2
+    exit 1
+  }
 fi

@@ -190,6 +190,7 @@ class Scene:
         ambient: ArrayLike = 0.0,
         background: ArrayLike = 0.0,
         sky: ArrayLike = 0.0,
+        sky_rotation: float = 0.0,
     ) -> None: ...
     @property
     def triangles(self) -> int: ...
@@ -338,7 +339,14 @@ class Lightmap:
 
 def mix(lights: Mapping[str, Solution], factors: Mapping[str, float] | None = None) -> Solution: ...
 def load_solution(path: str | os.PathLike[str], scene: Scene) -> Solution: ...
-def load(path: str | os.PathLike[str], normals: str | None = None, crease: float = ...) -> Scene: ...
+def load(
+    path: str | os.PathLike[str],
+    normals: str | None = None,
+    crease: float = ...,
+    environment: str | os.PathLike[str] | None = None,
+    environment_scale: float = 1.0,
+    environment_rotation: float = 0.0,
+) -> Scene: ...
 def trace(scene: Scene, origins: ArrayLike, directions: ArrayLike, near: float = 0.0, far: float = ...) -> Hits: ...
 def radiance(
     scene: Scene,

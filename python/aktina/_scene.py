@@ -5,8 +5,8 @@ import os
 import numpy as np
 
 from . import _core
-from ._arrays import number, rows, spread, unit_vectors
-from ._errors import UsageError
+from ._arrays import number, numbers, rows, spread, unit_vectors
+from ._errors import BadParam, UsageError
 from ._geometry import Hits
 
 
@@ -24,7 +24,8 @@ class Scene:
     camera : "position", "target", "up", and "vertical_fov" (rad) or, for a parallel projection, "half_height" (m). Left
         out: one that frames the scene.
     ambient, background, sky : colours; cd/m^2. Classic ambient light, what is seen beyond everything, even light from all
-        around.
+        around. sky may be an (H, W, 3) array, too: an equirectangular picture, rows from the top, its middle towards -z.
+    sky_rotation : of that picture, rad about +y.
     Raises UsageError (a field, a shape), NoSuchMethod (a type), BadParam.
 
     >>> import aktina
@@ -33,7 +34,7 @@ class Scene:
     <aktina.Scene: 0 triangles>
     """
 
-    def __init__(self, objects=(), lights=(), camera=None, ambient=0.0, background=0.0, sky=0.0):
+    def __init__(self, objects=(), lights=(), camera=None, ambient=0.0, background=0.0, sky=0.0, sky_rotation=0.0):
         self._scene = _core.Scene()
         for item in objects:
             self._scene.add_object(_checked(item))
@@ -41,8 +42,19 @@ class Scene:
             self._scene.add_light(dict(light))
         if camera is not None:
             self._scene.add_camera(dict(camera))
-        self._scene.set_surroundings({"ambient": ambient, "background": background, "sky": sky})
+        picture = np.ndim(sky) == 3
+        self._scene.set_surroundings({"ambient": ambient, "background": background, "sky": 0.0 if picture else sky})
+        if picture:
+            self._set_sky(sky, sky_rotation)
         self._scene.frame()
+
+    def _set_sky(self, picture, rotation):
+        picture = numbers("sky", picture, np.float32)
+        if picture.shape[2] != 3 or not picture.size:
+            raise UsageError(f"has shape {picture.shape}", "sky", "(H, W, 3)")
+        if not (picture >= 0).all():
+            raise BadParam("has values below 0", "sky")
+        self._scene.set_sky(picture, number("sky_rotation", rotation))
 
     @property
     def triangles(self):
@@ -338,11 +350,13 @@ def load_solution(path, scene):
     return Solution(scene, _core.load_solution(scene._scene, os.fspath(path)))
 
 
-def load(path, normals=None, crease=np.pi / 6):
+def load(path, normals=None, crease=np.pi / 6, environment=None, environment_scale=1.0, environment_rotation=0.0):
     """A Scene from a file: glTF 2.0, OBJ, PLY, STL, OFF, FBX, COLLADA, 3DS.
 
     normals : a method of the family "normals" that makes the normals of all meshes anew; None: those of the file.
     crease : rad; edges sharper than this stay sharp where normals are made.
+    environment : an equirectangular picture (HDR, EXR, PNG, ...) that shines on the scene in place of its own.
+    environment_scale : from its values to cd/m^2.  environment_rotation : rad about +y.
     Raises FileError, BadInput, LimitExceeded, Unsupported, NoSuchMethod, BadParam.
 
     >>> import aktina
@@ -353,7 +367,10 @@ def load(path, normals=None, crease=np.pi / 6):
     io
     """
     scene = Scene()
-    scene._scene = _core.load_scene(os.fspath(path), normals or "", number("crease", crease, 0, np.pi))
+    scene._scene = _core.load_scene(os.fspath(path), normals or "", number("crease", crease, 0, np.pi),
+                                    os.fspath(environment) if environment else "",
+                                    number("environment_scale", environment_scale, 0, 1e9),
+                                    number("environment_rotation", environment_rotation))
     return scene
 
 

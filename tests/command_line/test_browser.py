@@ -1,6 +1,6 @@
 """Baked models in three.js in a real browser, against Aktina's own pictures of the same view.
 
-Needs chromium, which scripts/setup.sh does not install (hundreds of megabytes), and three.js in node_modules/, which it
+Needs chromium, which scripts/setup.sh does not install (hundreds of megabytes), and three.js in node_modules/, which --tests
 does. Where one is missing the tests say so and are skipped. AKTINA_KEEP=FOLDER keeps the pictures.
 """
 import base64
@@ -47,7 +47,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
 
 @unittest.skipUnless(BROWSER, "no chromium on this machine: models are not looked at in a browser")
-@unittest.skipUnless(THREE.exists(), "three.js is not in node_modules: scripts/setup.sh gets it")
+@unittest.skipUnless(THREE.exists(), "three.js is not in node_modules: scripts/setup.sh --tests gets it")
 class Browser(ProgramTest):
     def setUp(self):
         super().setUp()

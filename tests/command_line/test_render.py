@@ -28,6 +28,17 @@ class Render(SceneCommandTest):
     quick = ["--method", "raster", "--size", "48x32", "--samples", "1"]
     endless = ["--method", "path", "--size", "96x64", "--samples", "1000000"]
 
+    def test_environment(self):
+        (self.folder / "a.obj").write_text("v -1 0 1\nv 1 0 1\nv 0 0 -1\nf 1 2 3\n")
+        self.succeed("render", "a.obj", "-m", "direct", "--size", "16x16", "-o", "plain.exr")
+        self.succeed("render", "a.obj", "-m", "direct", "--size", "16x16", "-o", "sky.png", "--exposure", "1",
+                     "--environment", "plain.exr", "--environment-scale", "3", "--environment-rotation", "90")
+        self.assertNotIn("default", self.succeed("render", "a.obj", "-m", "direct", "--size", "8x8", "-o", "b.png",
+                                                 "--environment", "plain.exr").stderr.replace("default camera", ""))
+        self.expect_error("input", "render", "a.obj", "-o", "c.png", "--environment", "no.hdr")
+        self.expect_error("input", "render", "a.obj", "-o", "c.png", "--environment", "a.obj")
+        self.assertNotIn("c.png", self.files())
+
     def test_size(self):
         for text, size in (("48x32", (48, 32)), ("30x", (30, 30)), ("x20", (20, 20))):  # the camera's aspect is 1
             self.run_quick(CORNELL, None, "--size", text)

@@ -35,6 +35,25 @@ def test_every_integrator_lights_a_floor():
         assert np.allclose(seen, [10 / np.pi, 5 / np.pi, 5 / np.pi], rtol=1e-3), row["id"]
 
 
+def test_a_picture_of_the_sky_shines(tmp_path):
+    sky = np.zeros((90, 180, 3), np.float32)
+    sky[10:14, 88:92] = [1e3, 2e3, 4e3]  # towards -z
+    scene = aktina.Scene([{**FLOOR, "material": {"kd": 1}}], sky=sky)
+    seen = aktina.radiance(scene, [0, 1, 0], [[0, -1, 0.01]], "path", samples=256)[0]
+    assert seen[0] > 0 and np.allclose(seen / seen[0], [1, 2, 4], rtol=1e-3)
+    turned = aktina.Scene([{**FLOOR, "material": {"kd": 1}}], sky=sky, sky_rotation=np.pi / 2)
+    first, second = (aktina.radiance(s, [0, 1, 0], [[0, 0.9, -0.43], [-0.43, 0.9, 0], [0.43, 0.9, 0]], "direct")
+                     for s in (scene, turned))
+    assert first[0, 0] > 0 and second[0, 0] == 0 and (second[1:, 0] > 0).sum() == 1
+    aktina.write_image(tmp_path / "sky.exr", sky)
+    (tmp_path / "floor.obj").write_text("v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n")
+    lit = aktina.load(tmp_path / "floor.obj", environment=tmp_path / "sky.exr", environment_scale=2)
+    np.testing.assert_allclose(aktina.radiance(lit, [0, 1, 0], [[0, 0.9, -0.43]], "direct"), 2 * first[:1], rtol=1e-3)
+    for wrong in (np.zeros((4, 4, 2)), -np.ones((4, 4, 3)), np.full((2, 2, 3), np.nan)):
+        with pytest.raises(aktina.Error):
+            aktina.Scene(sky=wrong)
+
+
 def test_shapes_of_arguments_broadcast():
     scene = aktina.Scene(sky=[1, 2, 3])
     seen = aktina.radiance(scene, np.zeros((4, 1, 3)), np.full((1, 5, 3), 0.5), "direct")

@@ -16,6 +16,10 @@ struct ImportOptions {
   float crease = 0.5236f;      // rad; edges sharper than this stay sharp where normals are made
   uint64_t most_bytes = uint64_t(8) << 30;  // of memory for the scene; more is refused
   bool default_camera = true, default_light = true;
+  /// A picture of the surroundings that shines on the scene, in place of its own; empty: none. See environment_of().
+  Path environment{};
+  double environment_scale = 1;     // from its values to cd/m^2
+  double environment_rotation = 0;  // rad about +y
 };
 
 /// Any scene file Aktina reads: glTF 2.0 (.gltf, .glb), OBJ, PLY, STL, OFF, FBX, COLLADA (.dae), 3DS.

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "aktina/base/error.h"
+#include "aktina/import/environment.h"
 #include "aktina/import/gltf/container.h"
 #include "aktina/import/import.h"
 
@@ -72,7 +73,13 @@ void renew_normals(Scene& scene, const ImportOptions& options) {
 }  // namespace
 
 Scene load_scene(const Path& path, const ImportOptions& options) {
-  Scene scene = read_any(path, options);
+  ImportOptions own = options;
+  own.default_light = options.default_light && options.environment.empty();
+  Scene scene = read_any(path, own);
+  if (!options.environment.empty())
+    scene.environment = environment_of(read_file(options.environment, std::min(kLargestFile, options.most_bytes)),
+                                       display(options.environment), Rgb(float(options.environment_scale)),
+                                       float(options.environment_rotation), scene.warnings);
   if (!options.normals.empty()) renew_normals(scene, options);
   return scene;
 }

@@ -339,6 +339,24 @@ TEST(LitScene, RefusesASolutionOfAnotherScene) {
       testing::ThrowsMessage<Error>(testing::HasSubstr("another scene")));
 }
 
+/// One texel of a dark picture, 60 degrees high: E = L omega sin 60.
+TEST(SolveRadiosity, TheSunInAPictureOfTheSkyIsFound) {
+  Scene scene;
+  add_quad(scene, {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, Rgb(0.5f));
+  Image sky(360, 180, 3, 0);
+  sky.set_rgb(100, 30, Rgb(1e6f));
+  scene.environment = {std::move(sky), Radiance(Rgb(1)), 0};
+  const Solution s = solve_radiosity(scene, {.patch_size = 0.03});
+  // A texel is interpolated over twice its width and height: as a tent of the same integral.
+  const double high = kPi / 2 - kPi * 30.5 / 180, texel = kPi / 180;
+  const double expected = 1e6 * texel * texel * std::cos(high) * std::sin(high);
+  double mean = 0, squares = 0;
+  for (const Irradiance h : s.irradiances) mean += double(h.v.g) / double(s.irradiances.size());
+  for (const Irradiance h : s.irradiances) squares += std::pow(double(h.v.g) / mean - 1, 2);
+  EXPECT_NEAR(mean / expected, 1, 0.02);
+  EXPECT_LT(std::sqrt(squares / double(s.irradiances.size())), 0.35) << "noise of a patch, of 32 rays towards it";
+}
+
 TEST(LitScene, UnlitMaterialsStayAsTheyAre) {
   Scene scene;
   add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.5f));
