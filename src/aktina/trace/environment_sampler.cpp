@@ -59,7 +59,8 @@ EnvironmentSampler::EnvironmentSampler(const EnvironmentLight& light) : light_(&
     for (size_t y = begin; y < end; ++y)
       for (size_t x = 0; x < columns_; ++x) cells[y * columns_ + x] = cell_luminance(image, x, y, columns_, rows_);
   });
-  // Between texel centres the picture is interpolated: a dark cell beside a bright one is not quite dark.
+  // Between texel centres the picture is interpolated: the mean of a cell has parts of the texels around, by 1/8, 3/4,
+  // 1/8 along each axis.
   std::vector<float> blurred(columns_);
   column_sum_.resize((columns_ + 1) * rows_), row_sum_.resize(rows_ + 1);
   double total = 0, weight = 0;
@@ -69,8 +70,8 @@ EnvironmentSampler::EnvironmentSampler(const EnvironmentLight& light) : light_(&
     const float* below = &cells[std::min(y + 1, rows_ - 1) * columns_];
     for (size_t x = 0; x < columns_; ++x) {
       const size_t l = (x + columns_ - 1) % columns_, r = (x + 1) % columns_;
-      const float around = above[l] + above[x] + above[r] + here[l] + here[r] + below[l] + below[x] + below[r];
-      blurred[x] = 0.75f * here[x] + 0.25f / 8 * around;
+      const float edges = above[x] + here[l] + here[r] + below[x], corners = above[l] + above[r] + below[l] + below[r];
+      blurred[x] = 9.0f / 16 * here[x] + 3.0f / 32 * edges + 1.0f / 64 * corners;
     }
     const double sine = std::sin(kPi * (double(y) + 0.5) / double(rows_));
     const double sum = cumulate(blurred.data(), columns_, &column_sum_[y * (columns_ + 1)]);

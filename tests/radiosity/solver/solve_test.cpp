@@ -354,7 +354,7 @@ TEST(SolveRadiosity, TheSunInAPictureOfTheSkyIsFound) {
   for (const Irradiance h : s.irradiances) mean += double(h.v.g) / double(s.irradiances.size());
   for (const Irradiance h : s.irradiances) squares += std::pow(double(h.v.g) / mean - 1, 2);
   EXPECT_NEAR(mean / expected, 1, 0.02);
-  EXPECT_LT(std::sqrt(squares / double(s.irradiances.size())), 0.35) << "noise of a patch, of 32 rays towards it";
+  EXPECT_LT(std::sqrt(squares / double(s.irradiances.size())), 0.15) << "noise of a patch, of 32 rays towards it";
 }
 
 TEST(LitScene, UnlitMaterialsStayAsTheyAre) {
