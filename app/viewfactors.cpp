@@ -1,6 +1,8 @@
 // aktina viewfactors: how much of the light or heat leaving each surface arrives at each other one.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "aktina/base/error.h"
 #include "aktina/render/view_factor_job.h"
 #include "scene_options.h"
@@ -80,7 +82,12 @@ int run(const Arguments& arguments, Session& session) {
     session.wrote(output);
   }
   result.report.time("write", watch.lap());
-  if (!result.report.complete) session.show_warnings(result.report.warnings);
+  Warnings own;  // the scene's have been shown
+  const auto& shown = scene.warnings.items();
+  for (const Warnings::Item& item : result.report.warnings.items())
+    if (std::none_of(shown.begin(), shown.end(), [&](const auto& other) { return other.text == item.text; }))
+      own.add(item.text, item.count);
+  session.show_warnings(own);
   const bool met = result.certificate.largest_error <= job.options.target_error;
   if (!met)
     session.note(fmt::format("the estimated error of {:.2g} is above the target", result.certificate.largest_error));

@@ -82,6 +82,31 @@ void fields_of(LuminaireLight& light, Visitor& field) {
   light.table = std::make_shared<const PhotometricTable>(std::move(table));
 }
 
+/// Refuses what is no light: values below 0, no attenuation at all, no size.
+struct LightCheck {
+  template <class Tag>
+  void operator()(const char* name, const Quantity<Tag>& value) const {
+    (*this)(name, value.v);
+  }
+  void operator()(const char* name, const Rgb& value) const {
+    if (min_channel(value) < 0) fail(name, "has a value below 0");
+  }
+  void operator()(const char* name, const Vec3& value) const {
+    if (std::string_view(name) != "attenuation") return;
+    if (!(value.x >= 0 && value.y >= 0 && value.z >= 0 && value != Vec3(0)))
+      fail(name, "should be three numbers not below 0, not all of them 0");
+  }
+  void operator()(const char* name, float value) const {
+    if (std::string_view(name) == "radius" && !(value > 0)) fail(name, "should be above 0");
+  }
+  template <class T>
+  void operator()(const char* /*name*/, const T& /*value*/) const {}
+
+  [[noreturn]] static void fail(const char* name, const char* what) {
+    throw Error(Code::bad_param, std::string("light.") + name, what);
+  }
+};
+
 void normalize_direction(PointLight& /*light*/) {}
 void normalize_direction(RectangleLight& /*light*/) {}
 template <class L>
@@ -147,6 +172,8 @@ Light light_from(const py::dict& dict) {
   std::visit(
       [&](auto& l) {
         fields_of(l, reader);
+        LightCheck check;
+        fields_of(l, check);
         normalize_direction(l);
       },
       light);

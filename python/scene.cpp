@@ -36,6 +36,11 @@ Mesh mesh_from(const py::dict& dict) {
   mesh.normals = vectors<Vec3, float>(dict, "normals", 3);
   mesh.uv[0] = vectors<Vec2, float>(dict, "uv", 2);
   mesh.triangles = vectors<std::array<uint32_t, 3>, uint32_t>(dict, "triangles", 3);
+  for (const auto& triangle : mesh.triangles)
+    for (const uint32_t vertex : triangle)
+      if (vertex >= mesh.positions.size())
+        throw Error(Code::bad_input, "triangles", fmt::format("name vertex {}", vertex),
+                    fmt::format("there are {}", mesh.positions.size()));
   return mesh;
 }
 

@@ -94,7 +94,8 @@ def _length(name, value):
 
 
 def _unit(name, value):
-    return unit_vectors(name, one_vector(name, value), np.float64)
+    vector = unit_vectors(name, one_vector(name, value), np.float64)
+    return vector / np.linalg.norm(vector)
 
 
 def _angle(name, value):

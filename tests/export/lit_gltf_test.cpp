@@ -131,6 +131,12 @@ TEST(LitGltf, HierarchyNamesCamerasAndLightsStay) {
   const auto& light = json["extensions"]["KHR_lights_punctual"]["lights"][0];
   EXPECT_EQ(light["intensity"], 60);
   EXPECT_EQ(light["color"], (std::vector<double>{0.5, 1, 0.25}));
+  for (const float angle : {0.4f, 2.0f}) {  // a hard cone, which glTF does not know
+    lit.lights[0].light = SpotLight{.inner_angle = angle, .outer_angle = angle};
+    const auto hard = written(lit, 1).json["extensions"]["KHR_lights_punctual"]["lights"][0]["spot"];
+    EXPECT_LT(hard["innerConeAngle"].get<float>(), hard["outerConeAngle"].get<float>());
+    EXPECT_LE(hard["outerConeAngle"].get<float>(), float(kPi / 2));
+  }
 }
 
 TEST(LitGltf, ShearGoesIntoTheVertices) {

@@ -152,3 +152,26 @@ def test_progress_is_reported_and_what_it_raises_stops_the_work():
 def test_areas():
     assert aktina.polygon_area(FLOOR) == 1 and aktina.polygon_area(FLOOR[::-1]) == 1
     assert aktina.polygon_area([[0, 0, 0], [4, 0, 0], [1, 1, 0], [0, 4, 0]]) == 4, "concave"
+
+
+def test_normals_that_are_unit_to_single_precision():
+    random = np.random.default_rng(1)
+    for _ in range(50):
+        n = random.normal(size=3)
+        n = (n / np.linalg.norm(n)).astype(np.float32).astype(float)
+        disc = {"type": "disc", "centre": n, "normal": -n, "radius": 1}
+        assert aktina.form_factor({"type": "point", "position": [0, 0, 0], "normal": n}, disc) == pytest.approx(0.5, abs=1e-6)
+
+
+def test_discs_all_but_touching():
+    lower = {"type": "disc", "centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 4776.2}
+    upper = {"type": "disc", "centre": [0, 0, 1.07e-8], "normal": [0, 0, -1], "radius": 5356.98}
+    assert 1 - 1e-12 < aktina.form_factor(lower, upper) <= 1
+
+
+def test_a_long_wall_and_its_short_end():
+    wall = [[0, 0, 0], [0, 0, 1000], [1, 0, 1000], [1, 0, 0]]
+    end = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    exact = aktina.form_factor(wall, end)
+    assert exact == pytest.approx(2.5e-4, rel=1e-3)
+    assert aktina.form_factor(wall, end, method="cubature") == pytest.approx(exact, rel=1e-4)

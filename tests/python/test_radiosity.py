@@ -48,6 +48,13 @@ def test_sampled_methods_come_near_the_direct_solution(method):
     np.testing.assert_allclose(B, direct, rtol=0.05)
 
 
+@pytest.mark.parametrize("method", [m for m in EXACT if m != "substructured"])
+@pytest.mark.parametrize("rho", [0.999, 0.9999])
+def test_bright_walls_converge_all_the_same(method, rho):
+    B = aktina.solve_radiosity([[0, 1], [1, 0]], [1, 0], [rho, rho], method=method)
+    np.testing.assert_allclose(B, np.array([1, rho]) / (1 - rho**2), rtol=1e-9)
+
+
 @pytest.mark.parametrize("method", EXACT)
 def test_furnace(method):
     F, _, _ = enclosure(25, 3)

@@ -35,6 +35,16 @@ def test_every_integrator_lights_a_floor():
         assert np.allclose(seen, [10 / np.pi, 5 / np.pi, 5 / np.pi], rtol=1e-3), row["id"]
 
 
+def test_what_is_no_mesh_and_no_light_is_refused():
+    for triangles in ([[0, 1, 2]], [[0, 1, -2]]):
+        with pytest.raises(aktina.BadInput, match="vertex"):
+            aktina.Scene([{"vertices": [[0, 0, 0], [1, 0, 0]], "triangles": triangles}])
+    for light in ({"type": "point", "intensity": -1}, {"type": "point", "attenuation": [0, 0, 0]},
+                  {"type": "point", "attenuation": [1, -1, 0]}, {"type": "disc", "radius": -1, "direction": [0, -1, 0]}):
+        with pytest.raises(aktina.BadParam):
+            aktina.irradiance(light, [0, 0, 1], [0, 0, -1])
+
+
 def test_a_picture_of_the_sky_shines(tmp_path):
     sky = np.zeros((90, 180, 3), np.float32)
     sky[10:14, 88:92] = [1e3, 2e3, 4e3]  # towards -z

@@ -48,7 +48,10 @@ bool written_in_place(const Path& path) {
 
 Path link_target(const Path& path) {
   std::error_code ignored;
-  return std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path) : path;
+  if (!std::filesystem::is_symlink(path, ignored)) return path;
+  const Path target = std::filesystem::weakly_canonical(path, ignored);
+  if (ignored) throw Error(Code::io, display(path), "is a link that leads nowhere");
+  return target;
 }
 
 /// Names of the temporary files of writes under way, where a signal handler can read them. A slot is free, being

@@ -177,7 +177,10 @@ Json light_json(const Light& light) {
   if (const auto* spot = std::get_if<SpotLight>(&light)) {
     json["type"] = "spot";
     set_colour(json, spot->intensity.v);
-    json["spot"] = {{"innerConeAngle", spot->inner_angle}, {"outerConeAngle", spot->outer_angle}};
+    // glTF's cones end at a right angle, and the inner one is smaller.
+    const float outer = std::min(spot->outer_angle, float(kPi / 2));
+    const float inner = std::min(spot->inner_angle, std::nextafter(outer, 0.0f));
+    json["spot"] = {{"innerConeAngle", std::max(inner, 0.0f)}, {"outerConeAngle", outer}};
   } else if (const auto* sun = std::get_if<DirectionalLight>(&light)) {
     json["type"] = "directional";
     set_colour(json, sun->e_perp.v);

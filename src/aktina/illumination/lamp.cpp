@@ -30,7 +30,7 @@ Lamp lamp_of(const SpotLight& light) {
   const bool smooth = inner > outer;
   lamp.cone = true;
   lamp.axis = light.direction;
-  lamp.outer_cosine = outer;
+  lamp.outer_cosine = outer > -1 ? outer : -2;  // a cone of 180 degrees leaves nothing out, rounded or not
   lamp.ramp_scale = smooth ? 1 / (inner - outer) : 0;
   lamp.ramp_offset = smooth ? -outer / (inner - outer) : 1;
   lamp.exponent = light.exponent > 0 ? light.exponent : 0;

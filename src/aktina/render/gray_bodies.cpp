@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cmath>
 #include <unordered_map>
 
 #include "aktina/base/error.h"
@@ -32,7 +33,7 @@ std::vector<GrayBody> read_gray_bodies(const Path& path, const ViewFactorScene& 
     if (begin == end) throw Error(Code::bad_input, at, fmt::format("there is no surface '{}'", fields[0]));
     double values[3] = {kUnknown, kUnknown, kUnknown};
     for (size_t k = 0; k < 3; ++k)
-      if (!fields[k + 1].empty() && !parse_number(fields[k + 1], values[k]))
+      if (!fields[k + 1].empty() && !(parse_number(fields[k + 1], values[k]) && std::isfinite(values[k])))
         throw Error(Code::bad_input, at, fmt::format("'{}' is no number", fields[k + 1]));
     for (auto it = begin; it != end; ++it) {
       GrayBody& body = bodies[it->second];

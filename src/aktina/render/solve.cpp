@@ -18,7 +18,7 @@ void add_to_report(Report& report, const Solution& solution, const Progress& pro
   report.count("absorbed", solution.absorbed, "lm");
   report.count("escaped", solution.escaped, "lm");
   report.count("estimated_error", relative_error(solution));
-  report.complete = solution.converged || !progress.cancelled();
+  report.complete = !progress.cancelled();
   if (!solution.converged && report.complete)
     report.warnings.add(fmt::format("not converged: {:.2g} of the light is not distributed yet", solution.unshot));
 }

@@ -29,6 +29,32 @@ TEST(SpotLight, FluxIsTheIntegralOfItsIntensity) {
   EXPECT_NEAR(test::flux_through_sphere(smooth, 1, 1 << 14), flux(smooth)->v.g, 0.01 * flux(smooth)->v.g);
 }
 
+TEST(SpotLight, FluxOfNarrowBeamsInClosedForm) {
+  for (const float exponent : {1.0f, 1000.0f, 1e5f})
+    for (const float outer : {1.0f, float(kPi / 2), 3.0f}) {
+      const SpotLight hard{
+          .intensity = Intensity(Rgb(100)), .inner_angle = outer, .outer_angle = outer, .exponent = exponent};
+      const double edge = std::max(0.0, std::cos(double(outer)));
+      const double exact = 200 * kPi * (1 - std::pow(edge, double(exponent) + 1)) / (double(exponent) + 1);
+      EXPECT_NEAR(flux(hard)->v.g, exact, 1e-5 * exact) << exponent << " " << outer;
+      const SpotLight smooth{
+          .intensity = Intensity(Rgb(100)), .inner_angle = 0.5f, .outer_angle = outer, .exponent = exponent};
+      double sum = 0;  // midpoints, finer towards the axis
+      constexpr int kSteps = 400'000;
+      for (int k = 0; k < kSteps; ++k) {
+        const double t = (k + 0.5) / kSteps, c = 1 - 2 * t * t * t;
+        sum += double(spot_falloff(smooth, float(c))) * 6 * t * t / kSteps;
+      }
+      EXPECT_NEAR(flux(smooth)->v.g, 200 * kPi * sum, 2e-3 * 200 * kPi * sum) << exponent << " " << outer;
+    }
+}
+
+TEST(SpotLight, NothingIsDarkBehindAConeOfAHalfTurn) {
+  const SpotLight all{.direction = normalize(Vec3(1, 2, 3)), .inner_angle = float(kPi), .outer_angle = float(kPi)};
+  for (int k = 1; k < 2000; ++k)
+    EXPECT_GT(sample(all, all.position - all.direction * (0.01f * float(k))).e_perp.v.g, 0) << k;
+}
+
 TEST(SpotLight, AConeOfAHalfTurnIsAPointLight) {
   const SpotLight open{.inner_angle = float(kPi), .outer_angle = float(kPi)};
   for (const Point3 x : {Point3(1, 2, 3), Point3(0, 0, 2), Point3(0, 0, -2), Point3(0.1f, 0, 5)})

@@ -48,6 +48,18 @@ TEST(Hierarchical, TellsWhatComesStraightFromEmitters) {
   EXPECT_NEAR(direct, 36, 0.4) << "all that the lamp sends";
 }
 
+TEST(Hierarchical, StoppedBeforeLightWasExchangedIsAResult) {
+  const Surfaces s(lit_room(true), 0.2);
+  for (const char* method : {"hierarchical", "clustering", "wavelet_m2"}) {
+    Progress progress;
+    progress.cancel();
+    const RadiosityState state =
+        solve(s, s.problem, method, {.tolerance = 1e-5, .target_error = 0.01, .progress = &progress});
+    EXPECT_FALSE(state.converged) << method;
+    EXPECT_EQ(state.irradiances.size(), 3 * s.problem.size()) << method;
+  }
+}
+
 TEST(Hierarchical, TakesAnyNumberOfBands) {
   const Surfaces s(lit_room(false), 0.4);
   const SolverControl control{.tolerance = 1e-6, .target_error = 0.03};

@@ -357,6 +357,14 @@ TEST(SolveRadiosity, TheSunInAPictureOfTheSkyIsFound) {
   EXPECT_LT(std::sqrt(squares / double(s.irradiances.size())), 0.15) << "noise of a patch, of 32 rays towards it";
 }
 
+TEST(SolveRadiosity, WhateverIsStoppedHasNotConverged) {
+  for (const char* solver : {"stochastic_jacobi", "matrix", "gmres", "progressive", "hierarchical"}) {
+    Progress progress;
+    progress.cancel();
+    EXPECT_FALSE(solve_radiosity(lit_room(), {.solver = solver, .patch_size = 0.5}, &progress).converged) << solver;
+  }
+}
+
 TEST(LitScene, UnlitMaterialsStayAsTheyAre) {
   Scene scene;
   add_quad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Rgb(0.5f));

@@ -11,6 +11,7 @@ namespace aktina {
 
 float spot_falloff(const SpotLight& light, float c) {
   const float outer = std::cos(light.outer_angle), inner = std::cos(light.inner_angle);
+  c = std::max(c, -1.0f);  // a cone of 180 degrees leaves nothing out
   if (c < outer) return 0;
   float factor = light.exponent > 0 ? std::pow(std::max(c, 0.0f), light.exponent) : 1;
   // KHR_lights_punctual: the square of a linear ramp in the cosine between the two cones; a hard edge where they meet.
@@ -31,21 +32,22 @@ LightSample sample(const SpotLight& light, Point3 x) {
 }
 
 std::optional<Flux> flux(const SpotLight& light) {
-  // 2 pi times the integral of the fall-off over the cosine, by Simpson's rule: exact for the smooth cone (a square).
-  constexpr int kSteps = 512;
-  const double outer = std::cos(double(light.outer_angle)), inner = std::cos(double(light.inner_angle));
-  const auto integral = [&](double a, double b) {
-    double sum = 0;
-    for (int i = 0; i <= kSteps; ++i) {
-      const double c = a + (b - a) * i / kSteps;
-      const double ramp = inner > outer && c < inner ? (c - outer) / (inner - outer) : 1;
-      const double power = light.exponent > 0 ? std::pow(std::max(c, 0.0), double(light.exponent)) : 1;
-      sum += ramp * ramp * power * (i == 0 || i == kSteps ? 1 : i % 2 ? 4 : 2);
-    }
-    return sum * (b - a) / (3 * kSteps);
+  // 2 pi times the integral of the fall-off over the cosine c: of c^n, and before the inner cone of
+  // ((c - outer) / (inner - outer))^2 c^n. With a power there is no light behind.
+  const double n = std::max(0.0, double(light.exponent)), outer = std::cos(double(light.outer_angle)),
+               inner = std::cos(double(light.inner_angle)), behind = n > 0 ? 0 : -1;
+  const auto power = [&](double from, double to, double exponent) {  // of c^exponent
+    return (std::pow(to, exponent + 1) - std::pow(from, exponent + 1)) / (exponent + 1);
   };
-  const double middle = std::max(inner, outer);
-  return Flux(light.intensity.v * float(2 * kPi * (integral(outer, middle) + integral(middle, 1))));
+  double sum = power(std::max({inner, outer, behind}), 1, n);
+  if (inner > outer) {
+    const double from = std::max(outer, behind), to = std::max(inner, from), width = inner - outer;
+    const double ramp =
+        n > 0 ? power(from, to, n + 2) - 2 * outer * power(from, to, n + 1) + outer * outer * power(from, to, n)
+              : (std::pow(to - outer, 3) - std::pow(from - outer, 3)) / 3;
+    sum += ramp / (width * width);
+  }
+  return Flux(light.intensity.v * float(2 * kPi * sum));
 }
 
 extern constinit const Method<Light> spot_light = {

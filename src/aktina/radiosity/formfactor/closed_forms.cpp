@@ -18,7 +18,8 @@ struct Circle {
 
 Circle make_circle(Vec3d centre, Vec3d normal, double radius) {
   Vec3d in_plane = centre - dot(centre, normal) * normal;
-  if (!(length(in_plane) > 1e-14 * length(centre)))
+  in_plane -= dot(in_plane, normal) * normal;  // what rounding has left
+  if (!(length(in_plane) > 1e-12 * length(centre)))
     in_plane = cross(normal, std::abs(normal.x) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0));
   const Vec3d u = normalize(in_plane);
   return {centre, u, cross(normal, u), radius, squared_length(centre) + radius * radius, 2 * radius * dot(centre, u)};
@@ -94,7 +95,9 @@ double point_to_sphere(double radius, double distance, double angle) {
 
 double coaxial_discs(double radius1, double radius2, double distance) {
   const double a = distance / radius1, b = radius2 / radius1, x = 1 + b * b + a * a;
-  return 2 * b * b / (x + std::sqrt(x * x - 4 * b * b));
+  // x^2 - 4 b^2 without cancellation.
+  const double root = std::sqrt(((1 - b) * (1 - b) + a * a) * ((1 + b) * (1 + b) + a * a));
+  return std::min(1.0, 2 * b * b / (x + root));
 }
 
 double opposed_rectangles(double a, double b, double distance) {

@@ -74,7 +74,8 @@ class Cubature final : public FormFactorMethod {
       occluders.push_back(face);
       for (Contour& piece : between(*face, a.plane, b.plane, rounding(a))) pieces.push_back(std::move(piece));
     }
-    const bool over_a = pieces.empty() || clearance(a, pieces) >= clearance(b, pieces);
+    // Over the smaller face, which the other one changes least on; where something hides, over the one farther from it.
+    const bool over_a = pieces.empty() ? a.area <= b.area : clearance(a, pieces) >= clearance(b, pieces);
     const double tolerance = tolerance_ * a.area;
     const Estimate e = over_a ? integral(a, b, occluders, tolerance) : integral(b, a, occluders, tolerance);
     return {e.value / a.area, e.error / a.area};

@@ -106,6 +106,7 @@ Face make_face(const Polygon& polygon, const std::string& where) {
   bound(face);
   const Vec3d normal = newell(face.vertices);
   face.area = length(normal);
+  if (!std::isfinite(face.area)) throw Error(Code::bad_input, where, "is too large: its area is not finite");
   // A needle's area loses its digits where its height is lost in the rounding of its coordinates.
   if (!(face.area > 1e-15 * face.radius * (face.radius + length(face.centre))))
     throw Error(Code::bad_input, where, "has no area");

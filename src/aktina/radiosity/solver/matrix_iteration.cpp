@@ -9,7 +9,8 @@
 namespace aktina {
 namespace {
 
-constexpr uint64_t kMostSweeps = 10'000;  // reflectance 0.997 at a tolerance of 1e-12
+constexpr uint64_t kMostSweeps = 10'000'000;
+constexpr double kRounding = 4e-15;  // of an exchange of light, relative: errors below it over 1 - rho are noise
 
 void renew_residual(BandSystem& s) {
   s.residual = s.matrix.times(s.band, s.x);
@@ -69,7 +70,8 @@ RadiosityState solve_by_sweeps(const RadiosityProblem& problem, const FactorSour
   });
   if (control.progress) control.progress->begin("solving", "sweeps", 0);
   double left = error_left(systems, contraction);
-  while (left > control.tolerance && state.steps < kMostSweeps && !control.stopped(state.steps)) {
+  const double tolerance = std::max(control.tolerance, kRounding / (1 - contraction));
+  while (left > tolerance && state.steps < kMostSweeps && !control.stopped(state.steps)) {
     for (size_t b = 0; b < problem.bands; ++b) iterations[b]->sweep(systems[b]), renew_residual(systems[b]);
     left = error_left(systems, contraction);
     ++state.steps;
@@ -78,7 +80,7 @@ RadiosityState solve_by_sweeps(const RadiosityProblem& problem, const FactorSour
     kept.save_when_due();
   }
   account(problem, matrix, systems, state);
-  state.converged = left <= control.tolerance;
+  state.converged = left <= tolerance;
   return state;
 }
 

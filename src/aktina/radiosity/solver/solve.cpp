@@ -159,6 +159,7 @@ class Run {
     else
       solve_on_patches();
     reconstruct_vertices(solution_);
+    note_end(solution_);
     return std::move(solution_);
   }
 
@@ -182,11 +183,17 @@ class Run {
         each.solution.mesh.emissions[i] = groups[g].emission(solution_.mesh, i);
       take(apart, state, g, sides, each.solution);
       reconstruct_vertices(each.solution);
+      note_end(each.solution);
     }
     return solutions;
   }
 
  private:
+  /// Whatever a solver finds, what it was given may have been cut short.
+  void note_end(Solution& solution) const {
+    if (progress_ && progress_->cancelled()) solution.converged = false;
+  }
+
   static constexpr size_t kMostLights = 256;
 
   DirectLight refine(KeptDirectLight& kept) {

@@ -95,6 +95,9 @@ std::vector<double> solve_radiosity_system(const RadiositySystem& system, std::s
   control.progress = progress;
   const RadiosityState state = method->solve(problem, GivenFactors(system), control);
   if (progress) progress->throw_if_cancelled();
+  if (!state.converged)
+    throw Error(Code::check_failed, std::string(solver), fmt::format("has not converged after {} steps", state.steps),
+                "a higher tolerance, conjugate_gradient or gmres");
   std::vector<double> radiosities(system.patches * system.bands);
   for (size_t k = 0; k < radiosities.size(); ++k)
     radiosities[k] = system.emissions[k] + system.reflectances[k] * state.irradiances[k];

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "aktina/base/parallel.h"
 #include "aktina/base/random.h"
@@ -78,6 +80,22 @@ ExchangeFinder::Forecast ExchangeFinder::forecast() const {
 
 namespace {
 
+/// How long a row that is begun may go on once the work is stopped: most are complete by then.
+class Grace {
+ public:
+  explicit Grace(const Progress* progress) : progress_(progress) {}
+  bool over() {
+    if (!progress_ || !progress_->cancelled()) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (!stopped_) stopped_ = now;
+    return now - *stopped_ > std::chrono::seconds(3);
+  }
+
+ private:
+  const Progress* progress_;
+  std::optional<std::chrono::steady_clock::time_point> stopped_;
+};
+
 template <class T>
 void find_all(const PairSetting& setting, const LeafTree& tree, Exchanges& result, Progress* progress) {
   const std::vector<Leaf>& leaves = setting.leaves.leaves;
@@ -89,10 +107,12 @@ void find_all(const PairSetting& setting, const LeafTree& tree, Exchanges& resul
     PairExchange<double> precise(setting);
     ExchangeStore::Writer store(*result.store);
     LeafView view;
+    Grace grace(progress);
     for (size_t taken = begin; taken < end; ++taken) {
       if (progress && progress->cancelled()) return;
       const uint32_t a = next.fetch_add(1, std::memory_order_relaxed);
       tree.visit(leaves[a], a + 1, setting.blockers, setting.tolerance, [&](uint32_t b) {
+        if (grace.over()) return;
         look_between(leaves[a], leaves[b], setting.blockers, setting.tolerance, view);
         if (!view.facing || view.blocked) return;
         if (view.entered)
@@ -100,6 +120,7 @@ void find_all(const PairSetting& setting, const LeafTree& tree, Exchanges& resul
         else
           pair.run(a, b, view, store, result.lists[a], held[a]);
       });
+      if (grace.over()) return;  // perhaps in its middle
       done[a] = 1;
       if (progress) progress->advance();
     }

@@ -12,6 +12,7 @@ namespace aktina {
 namespace {
 
 constexpr size_t kMostClipped = 24;   // blockers between two fragments beyond which rays are faster
+constexpr size_t kFewClipped = 4;     // whose union is cut out even where rays might do, if they leave doubt
 constexpr double kRayError = 2.5e-3;  // of a share, that rays come down to
 
 double power(double x, int n) {
@@ -264,7 +265,8 @@ Estimate PairExchange<T>::past_blockers(uint32_t r, uint32_t s, Estimate open) {
   if (share.error > wanted)
     improve(setting_.rays.visible_share({part_, receiver_->plane.normal}, {parts_[s], source_->plane.normal},
                                         open.value, wanted, hash_combine(receiver_->first + r, source_->first + s)));
-  if (clippable && share.error > wanted && wanted >= kRayError) improve(clipped(true));
+  if (clippable && blockers_between_ <= kFewClipped && share.error > wanted && wanted >= kRayError)
+    improve(clipped(true));
   if (share.value > 1) {
     ++held_->count;
     held_->largest_excess = std::max(held_->largest_excess, open.value * (share.value - 1) / smaller);

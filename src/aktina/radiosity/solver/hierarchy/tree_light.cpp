@@ -17,15 +17,17 @@ TreeLight::TreeLight(const SurfaceTree& tree, const Basis& basis, const Radiosit
 
 void TreeLight::grow() {
   const size_t before = brightness_.size(), now = tree_.nodes().size();
-  for (std::vector<double>* values : {&radiosities, &irradiances_, &sources_, &emitted_})
+  for (std::vector<double>* values : {&radiosities, &irradiances_, &before_, &sources_, &emitted_})
     values->resize(now * per_node_, 0);
   reflectances_.resize(now * problem_.bands, 0), brightness_.resize(now, 0);
   for (size_t node = before; node < now; ++node) add_leaf(uint32_t(node));
   for (uint32_t node = 0; node < now; ++node)  // children follow their parents
     if (!tree_.is_leaf(node) && tree_.nodes()[node].children >= before) {
       const size_t first = tree_.nodes()[node].children;
-      std::fill_n(&irradiances_[first * per_node_], 4 * per_node_, 0.0);
-      push_to_children(node, irradiances_);
+      for (std::vector<double>* values : {&irradiances_, &before_}) {
+        std::fill_n(&(*values)[first * per_node_], 4 * per_node_, 0.0);
+        push_to_children(node, *values);
+      }
     }
   for (size_t node = before; node < now; ++node) reflect(uint32_t(node));
   pull();
