@@ -77,7 +77,8 @@ Arguments parse(const Command& command, std::span<const char* const> words) {
   } catch (const CLI::ParseError& error) {
     throw Error(Code::usage, "", error.what(), help_hint(command));
   }
-  if (!app.remaining().empty()) refuse_unknown(command, arguments, app.remaining().front());
+  for (const std::string& word : app.remaining())  // "--": what follows are names, whatever they begin with
+    if (word != "--") refuse_unknown(command, arguments, word);
 
   for (size_t i = 0; i < arguments.values.size(); ++i) {
     Arguments::Value& value = arguments.values[i];

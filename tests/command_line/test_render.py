@@ -28,6 +28,16 @@ class Render(SceneCommandTest):
     quick = ["--method", "raster", "--size", "48x32", "--samples", "1"]
     endless = ["--method", "path", "--size", "96x64", "--samples", "1000000"]
 
+    def test_names_that_begin_with_a_dash(self):
+        (self.folder / "-dash.obj").write_text("v -1 0 1\nv 1 0 1\nv 0 0 -1\nf 1 2 3\n")
+        self.succeed("render", "-o", "d.png", "-m", "raster", "--size", "8x8", "--", "-dash.obj")
+        self.expect_error("usage", "render", "-o", "d.png", "--", "-dash.obj", "--", "another.obj")
+
+    def test_links_that_lead_nowhere(self):
+        (self.folder / "loop.png").symlink_to(self.folder / "loop.png")
+        error = self.expect_error("input", "render", CORNELL, "-o", "loop.png", "-m", "raster", "--size", "8x8")
+        self.assertIn("loop.png", error)
+
     def test_environment(self):
         (self.folder / "a.obj").write_text("v -1 0 1\nv 1 0 1\nv 0 0 -1\nf 1 2 3\n")
         self.succeed("render", "a.obj", "-m", "direct", "--size", "16x16", "-o", "plain.exr")

@@ -150,10 +150,18 @@ void write_file(const Path& path, std::string_view text) {
 }
 
 void write_through(const Path& path, const std::function<void(const Path&)>& write) {
-  if (written_in_place(path)) return write(path);
+  const auto named = [&](const Path& file) {  // libraries that write do not say where
+    try {
+      write(file);
+    } catch (const Error& error) {
+      if (!error.where().empty()) throw;
+      throw Error(error.code(), display(path), error.message(), error.hint());
+    }
+  };
+  if (written_in_place(path)) return named(path);
   const Path target = link_target(path);
   const Temporary temporary(target);
-  write(temporary.path());
+  named(temporary.path());
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) fail(path, "cannot write");
 }
 
